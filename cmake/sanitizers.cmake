@@ -1,0 +1,16 @@
+# PAGO_SANITIZE = address (with undefined behaviour) | thread | empty
+set(PAGO_SANITIZE "" CACHE STRING "address, thread or empty")
+set_property(CACHE PAGO_SANITIZE PROPERTY STRINGS "" address thread)
+if(PAGO_SANITIZE STREQUAL "address")
+  add_compile_options(-fsanitize=address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer)
+  add_link_options(-fsanitize=address,undefined)
+elseif(PAGO_SANITIZE STREQUAL "thread")
+  add_compile_options(-fsanitize=thread -fno-omit-frame-pointer)
+  add_link_options(-fsanitize=thread)
+elseif(PAGO_SANITIZE)
+  message(FATAL_ERROR "PAGO_SANITIZE must be address, thread or empty, is '${PAGO_SANITIZE}'")
+endif()
+
+# Fast enough to run real drives under a sanitizer, with assertions and line numbers.
+set(CMAKE_CXX_FLAGS_SANITIZE "-O1 -g1")
+set(CMAKE_C_FLAGS_SANITIZE "-O1 -g1")

@@ -1,0 +1,52 @@
+// SPDX-FileCopyrightText: 2026 The PaGO authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <Eigen/Core>
+#include <Eigen/Geometry>
+#include <cstdint>
+#include <string_view>
+
+namespace pago {
+
+using Matrix6d = Eigen::Matrix<double, 6, 6>;
+using Vector6d = Eigen::Matrix<double, 6, 1>;
+
+/// Trust in a pose. INIT: no motion estimated yet. OK: registered. DEGRADED: registered with a caveat, or
+/// predicted for a few sweeps. LOST: predicted for so long that the pose should not be driven on.
+enum class Health : std::uint8_t { kInit, kOk, kDegraded, kLost };
+
+enum class HealthReason : std::uint8_t {
+  kNone,
+  kFirstSweep,         ///< nothing to register against
+  kTooFewFeatures,     ///< the sweep or its target has too few edges or planar points
+  kNotObservable,      ///< some direction of motion is not constrained by what is seen
+  kImplausibleMotion,  ///< the registration contradicts the motion model beyond its gate
+  kNotFinite,          ///< the solver met NaN or infinity
+  kIncompleteSweep,    ///< part of the rotation is missing (lost packets, overfull sweep)
+  kCount
+};
+
+std::string_view to_string(Health health) noexcept;
+std::string_view to_string(HealthReason reason) noexcept;
+
+/// What the estimate thread says of one sweep. All poses are of `sensor` in `odom` at `stamp_ns`.
+struct Estimate {
+  std::int64_t stamp_ns = 0;  ///< the instant the poses hold for (the configured instant of the sweep)
+  Eigen::Isometry3d T_odom_sensor_front_end =
+      Eigen::Isometry3d::Identity();  ///< product of scan-to-scan increments
+  Eigen::Isometry3d T_odom_sensor_first =
+      Eigen::Isometry3d::Identity();  ///< last refined pose * this increment
+  Eigen::Isometry3d T_odom_sensor_refined = Eigen::Isometry3d::Identity();  ///< after scan-to-map
+  /// Of the refined pose's last increment, right perturbation in the sensor frame, order x y z roll pitch
+  /// yaw; m^2, m rad, rad^2.
+  Matrix6d covariance = Matrix6d::Zero();
+  Health health = Health::kInit;
+  HealthReason reason = HealthReason::kFirstSweep;
+  bool has_pose = false;  ///< false for partial sweeps at either end of a run and for superseded ones
+  std::uint16_t iterations = 0;
+  std::uint32_t edge_matches = 0, planar_matches = 0;
+  float edge_rms_m = 0.0F, planar_rms_m = 0.0F;
+};
+
+}  // namespace pago

@@ -1,0 +1,134 @@
+// SPDX-FileCopyrightText: 2026 The PaGO authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include "pago/core/aligned_array.hpp"
+#include "pago/core/estimate.hpp"
+#include "pago/core/range_image.hpp"
+
+namespace pago {
+
+/// Where a sweep's time goes. One entry per row of the latency table.
+enum class StageId : std::uint8_t { kIngest, kGround, kFeatures, kOdometry, kMapping, kCount };
+inline constexpr std::size_t kNumStages = static_cast<std::size_t>(StageId::kCount);
+
+/// One stage's time on one sweep. Monotonic clock; zero where the stage did not run.
+struct StageTime {
+  std::int64_t start_ns = 0, end_ns = 0;
+  std::int64_t cpu_ns = 0;  ///< thread CPU time spent inside the stage
+};
+
+/// What can be the matter with a sweep; bits of SweepHeader::flags.
+enum SweepFlag : std::uint32_t {
+  kPartialStart = 1U << 0,  ///< the stream began in it, less than 90 % of a rotation: no pose
+  kPartialEnd = 1U << 1,    ///< the stream ended in it, less than 90 % of a rotation: no pose
+  kIncomplete = 1U << 2,    ///< inside the run, but more than 10 % of the rotation is missing
+  kAfterGap = 1U << 3,      ///< whole rotations are missing between it and its predecessor
+  kOverfull = 1U << 4,      ///< closed early because its arrays were full
+  kCompensated =
+      1U << 5,            ///< returns are already in the frame of one instant (KITTI odometry): never de-skew
+  kSuperseded = 1U << 6,  ///< skipped for a newer one under overload: no pose
+};
+
+struct SweepHeader {
+  std::uint64_t sequence = 0;  ///< counts rotations from 0, skipped and partial ones included
+  std::int64_t start_ns = 0;   ///< sensor time of the first firing, ns since the Unix epoch
+  std::int64_t end_ns = 0;     ///< sensor time of the end of the last firing
+  std::int64_t first_arrival_ns = 0, last_arrival_ns = 0;  ///< host arrival of its first and last packet
+  std::int64_t closed_ns = 0;     ///< monotonic clock when the assembler handed it on
+  std::uint32_t num_columns = 0;  ///< firings in the rotation = used columns of the range image
+  std::uint32_t firings_received = 0, firings_lost = 0;
+  std::uint32_t packets_bad = 0;  ///< malformed datagrams that arrived while it was filled
+  float rotation_rev = 0.0F;      ///< how far the head turned, in revolutions: 1 for a whole sweep
+  std::uint32_t flags = 0;        ///< SweepFlag bits
+
+  bool has(SweepFlag flag) const noexcept { return (flags & flag) != 0; }
+  bool is_posed() const noexcept { return (flags & (kPartialStart | kPartialEnd | kSuperseded)) == 0; }
+};
+
+/// Ground mask values.
+inline constexpr std::uint8_t kNonGround = 0;
+inline constexpr std::uint8_t kGround = 1;
+
+/// Cluster labels (features/clustering.hpp): 0 ground, >= 1 a valid segment, kClutter too small to trust.
+inline constexpr std::uint16_t kClutter = 0xFFFF;
+
+/// What the features stage adds: indices into the sweep's arrays.
+struct FeatureLists {
+  FixedVector<std::uint32_t> sharp_edges;   ///< the sharpest few per sector: sources of step two
+  FixedVector<std::uint32_t> edges;         ///< sharp ones and more: the next sweep's targets
+  FixedVector<std::uint32_t> flat_planars;  ///< the flattest few per sector: sources of step one
+  FixedVector<std::uint32_t> planars;       ///< thinned rest: the next sweep's targets
+};
+
+/// One rotation of the sensor, the frame that travels through the pipeline. Preallocated, structure of
+/// arrays; made once, filled and recycled by the SweepRing (assembly/sweep_ring.hpp). Each stage writes only
+/// its own part; none reorders or copies returns, so a mask stays one byte per input point.
+///
+/// Frame `sensor`: x forward, y left, z up (REP-103), metres. [set-up] the constructor allocates; the rest is
+/// data.
+struct Sweep {
+  explicit Sweep(std::uint32_t max_returns)
+      : x_m(max_returns),
+        y_m(max_returns),
+        z_m(max_returns),
+        intensity(max_returns),
+        ring(max_returns),
+        column(max_returns),
+        time_offset_ns(max_returns),
+        ground(max_returns),
+        cluster(max_returns) {
+    // Selection takes at most 20 edges and 4 flat points from each of 6 sectors of a ring (LeGO-LOAM's
+    // numbers).
+    features.sharp_edges = FixedVector<std::uint32_t>(kNumRings * 6 * 20);
+    features.edges = FixedVector<std::uint32_t>(kNumRings * 6 * 40);
+    features.flat_planars = FixedVector<std::uint32_t>(kNumRings * 6 * 20);
+    features.planars = FixedVector<std::uint32_t>(max_returns);
+  }
+
+  SweepHeader header;
+
+  // --- assembler: returns in arrival order, [0, size)
+  std::uint32_t size = 0;
+  AlignedArray<float> x_m, y_m, z_m;
+  AlignedArray<std::uint8_t> intensity;
+  AlignedArray<std::uint8_t> ring;  ///< 0 lowest, by this unit's vertical angles
+  AlignedArray<std::uint16_t> column;
+  AlignedArray<std::int32_t> time_offset_ns;  ///< firing time after header.start_ns
+  RangeImage range_image;
+
+  // --- ground
+  AlignedArray<std::uint8_t> ground;  ///< kGround or kNonGround per return
+
+  // --- features
+  AlignedArray<std::uint16_t> cluster;
+  FeatureLists features;
+
+  // --- odometry, mapping
+  Estimate estimate;
+
+  // --- runner
+  std::array<StageTime, kNumStages> times{};
+
+  std::uint32_t capacity() const noexcept { return static_cast<std::uint32_t>(x_m.size()); }
+  StageTime& time_of(StageId stage) noexcept { return times[static_cast<std::size_t>(stage)]; }
+  const StageTime& time_of(StageId stage) const noexcept { return times[static_cast<std::size_t>(stage)]; }
+
+  /// Makes the sweep empty for refilling; keeps the memory.
+  void reset() noexcept {
+    range_image.clear(static_cast<int>(header.num_columns));
+    header = {};
+    size = 0;
+    features.sharp_edges.clear();
+    features.edges.clear();
+    features.flat_planars.clear();
+    features.planars.clear();
+    estimate = {};
+    times = {};
+  }
+};
+
+}  // namespace pago

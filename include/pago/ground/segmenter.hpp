@@ -1,0 +1,39 @@
+// SPDX-FileCopyrightText: 2026 The PaGO authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <memory>
+#include <span>
+#include <string_view>
+
+#include "pago/config/ground.hpp"
+#include "pago/core/mount.hpp"
+#include "pago/core/stage.hpp"
+
+namespace pago::ground {
+
+/// Ground segmentation: decides for every return of a sweep whether the vehicle could stand on what it hit.
+/// Satisfies Stage: `finish` leaves ground[i] = kGround or kNonGround for every i < size, and writes nothing
+/// else. [front thread] begin, accept, finish: real-time safe, noexcept, deterministic.
+class Segmenter {
+ public:
+  virtual ~Segmenter() = default;
+  virtual void begin(Sweep&) noexcept {}
+  virtual void accept(const SweepPart&) noexcept {}
+  virtual void finish(Sweep& sweep) noexcept = 0;
+};
+
+/// One row per method; adding a method is one file and one row (src/ground/methods.cpp).
+struct Method {
+  std::string_view name;     ///< as in `--ground NAME`
+  std::string_view summary;  ///< one line for help: idea, paper
+  /// [set-up] Allocates for sweeps of up to `max_returns`.
+  std::unique_ptr<Segmenter> (*make)(const GroundConfig&, const Mount&, std::uint32_t max_returns);
+};
+
+std::span<const Method> methods() noexcept;
+
+/// [set-up] The method named in the configuration. Throws Error that lists the known ones.
+std::unique_ptr<Segmenter> make_segmenter(const GroundConfig&, const Mount&, std::uint32_t max_returns);
+
+}  // namespace pago::ground

@@ -1,0 +1,46 @@
+// SPDX-FileCopyrightText: 2026 The PaGO authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <filesystem>
+#include <string>
+
+namespace pago::hdl64 {
+
+/// What vertOffset shifts: the height alone ("vertical", the manual's formula), or the beam's origin
+/// perpendicular to the beam ("perpendicular", as the ROS driver and VeloView compute; moves the lowest laser
+/// by 5 cm). Files cannot tell.
+enum class VerticalOffset : std::uint8_t { kVertical, kPerpendicular };
+
+/// One laser's figures, SI units (the files' degrees and centimetres converted).
+struct LaserCalibration {
+  double rotation_rad = 0.0;       ///< rotCorrection, positive turns left: azimuth - rotation is the true one
+  double vertical_rad = 0.0;       ///< vertCorrection, up positive
+  double distance_m = 0.0;         ///< distCorrection, at the far point of 25.04 m
+  double distance_x_m = 0.0;       ///< distCorrectionX, at the near point of 2.40 m
+  double distance_y_m = 0.0;       ///< distCorrectionY, at the near point of 1.93 m
+  double vertical_offset_m = 0.0;  ///< vertOffsetCorrection
+  double horizontal_offset_m = 0.0;  ///< horizOffsetCorrection
+  double focal_distance_m = 0.0;
+  double focal_slope = 0.0;
+  std::uint8_t min_intensity = 0, max_intensity = 255;
+};
+
+/// One unit's calibration.
+struct Calibration {
+  std::array<LaserCalibration, 64> lasers{};
+  std::array<std::uint8_t, 64> ring_of_laser{};  ///< rank by vertical angle of THIS unit, 0 lowest
+  double distance_lsb_m = 0.002;
+  bool two_point = false;  ///< near-point figures differ from the far one's
+  VerticalOffset vertical_offset = VerticalOffset::kVertical;
+  std::string origin;  ///< the file it came from
+};
+
+/// [set-up] Reads a Velodyne db.xml or a ROS calibration yaml; which one is told by content. Throws Error
+/// with file and line for an unreadable, truncated or implausible file and for other sensors' files, which it
+/// names.
+Calibration load_calibration(const std::filesystem::path& file, VerticalOffset vertical_offset);
+
+}  // namespace pago::hdl64
