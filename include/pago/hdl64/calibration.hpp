@@ -7,12 +7,9 @@
 #include <filesystem>
 #include <string>
 
-namespace pago::hdl64 {
+#include "pago/config/hdl64.hpp"
 
-/// What vertOffset shifts: the height alone ("vertical", the manual's formula), or the beam's origin
-/// perpendicular to the beam ("perpendicular", as the ROS driver and VeloView compute; moves the lowest laser
-/// by 5 cm). Files cannot tell.
-enum class VerticalOffset : std::uint8_t { kVertical, kPerpendicular };
+namespace pago::hdl64 {
 
 /// One laser's figures, SI units (the files' degrees and centimetres converted).
 struct LaserCalibration {

@@ -22,10 +22,10 @@ inline constexpr std::size_t kBlockBytes = 100;
 inline constexpr int kBlocks = 12;
 inline constexpr int kLasersPerBlock = 32;
 inline constexpr int kLasers = 64;
-inline constexpr int kFirings = 6;                    ///< of a single-return packet
-inline constexpr std::uint16_t kUpperBlock = 0xEEFF;  ///< lasers 0-31
-inline constexpr std::uint16_t kLowerBlock = 0xDDFF;  ///< lasers 32-63
-inline constexpr int kAzimuthSteps = 36000;           ///< header azimuth counts 0.01 degrees
+inline constexpr int kFirings = 6;                     ///< of a single-return packet
+inline constexpr std::uint16_t kUpperBlock = 0xEEFF;   ///< lasers 0-31
+inline constexpr std::uint16_t kLowerBlock = 0xDDFF;   ///< lasers 32-63
+inline constexpr std::uint32_t kAzimuthSteps = 36000;  ///< header azimuth counts 0.01 degrees
 inline constexpr double kDistanceLsb_m = 0.002;
 inline constexpr std::uint32_t kStampWrap_us = 3'600'000'000U;  ///< the device stamp starts anew every hour
 /// Time between firings of one laser, S2/S2.1/S3 single return: 384 lasers slots at 1,333,312 per second
