@@ -1,0 +1,49 @@
+// SPDX-FileCopyrightText: 2026 The PaGO authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "pago/config/load.hpp"
+#include "pago/core/error.hpp"
+#include "settings.hpp"
+
+namespace pago {
+namespace {
+
+/// A sentence that must hold, and the settings that it is about.
+struct Rule {
+  bool (*holds)(const Config&);
+  std::string_view sentence;
+  std::array<std::string_view, 2> keys;
+};
+
+constexpr std::array kRules{
+    Rule{[](const Config& c) { return c.hdl64.min_range_m < c.hdl64.max_range_m; },
+         "the sensor's nearest range must be below its farthest",
+         {"hdl64.min_range_m", "hdl64.max_range_m"}},
+};
+
+std::string values_text(const config::Settings& settings, const Rule& rule) {
+  std::string out;
+  for (const auto key : rule.keys) {
+    const config::Setting* setting = settings.find(key);
+    if (setting != nullptr)
+      out += (out.empty() ? "" : ", ") + setting->key + " is " + to_text(value_of(*setting));
+  }
+  return out;
+}
+
+}  // namespace
+
+void validate(const Config& config) {
+  Config copy = config;
+  const config::Settings settings = config::settings_of(copy);
+  for (const config::Setting& setting : settings.list) {
+    const config::Value value = value_of(setting);
+    if (!assign(setting, value))
+      throw Error("configuration",
+                  setting.key + " must be " + expectation(setting) + ", is " + to_text(value));
+  }
+  for (const Rule& rule : kRules)
+    if (!rule.holds(config))
+      throw Error("configuration", std::string(rule.sentence), values_text(settings, rule));
+}
+
+}  // namespace pago
