@@ -23,6 +23,7 @@ struct LaserCalibration {
   double focal_distance_m = 0.0;
   double focal_slope = 0.0;
   std::uint8_t min_intensity = 0, max_intensity = 255;
+  bool enabled = true;  ///< false: its returns are not used
 };
 
 /// One unit's calibration.
@@ -35,9 +36,13 @@ struct Calibration {
   std::string origin;  ///< the file it came from
 };
 
-/// [set-up] Reads a Velodyne db.xml or a ROS calibration yaml; which one is told by content. Throws Error
-/// with file and line for an unreadable, truncated or implausible file and for other sensors' files, which it
-/// names.
+/// [set-up] Reads a Velodyne db.xml or a ROS calibration yaml; which one is told by content. What a file may
+/// leave out gets its default: distance step 2 mm, near point as the far one, offsets and focal figures 0,
+/// intensities 0 to 255. Throws Error with file and line for an unreadable, truncated or implausible file and
+/// for other sensors' files, which it names.
 Calibration load_calibration(const std::filesystem::path& file, VerticalOffset vertical_offset);
+
+/// [any thread] Rank of each laser by vertical angle, 0 lowest; equal ones by id.
+std::array<std::uint8_t, 64> rank_rings(const std::array<LaserCalibration, 64>& lasers) noexcept;
 
 }  // namespace pago::hdl64
