@@ -1,0 +1,48 @@
+// SPDX-FileCopyrightText: 2026 The PaGO authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <Eigen/Core>
+
+#include "polar_bins.hpp"
+
+namespace pago::ground {
+
+/// All points p with normal . p < offset_m.
+struct HalfSpace {
+  float normal_x = 0.0F, normal_y = 0.0F, normal_z = 1.0F;
+  float offset_m = 0.0F;
+
+  static HalfSpace below_height(float height_m) { return {0.0F, 0.0F, 1.0F, height_m}; }
+};
+
+/// How many points, and their mean and covariance (divided by the number of points).
+struct PointStatistics {
+  double count = 0.0;
+  Eigen::Vector3d mean = Eigen::Vector3d::Zero();
+  Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();
+};
+
+/// Of the points inside the half-space. The sums are taken about `origin`, in float: choose it near the
+/// points (within 10 m keeps the covariance good to 1e-5 m^2).
+PointStatistics statistics_inside(const BinPoints& points,
+                                  const HalfSpace& inside,
+                                  const Eigen::Vector3f& origin) noexcept;
+
+/// The plane with the least squared distances to some points.
+struct PlaneFit {
+  bool is_valid = false;  ///< false for fewer than three points, or all in one place
+  Eigen::Vector3d normal = Eigen::Vector3d::UnitZ();  ///< of length 1, never pointing downwards
+  Eigen::Vector3d mean = Eigen::Vector3d::Zero();
+  Eigen::Vector3d variance = Eigen::Vector3d::Zero();  ///< along the principal axes, ascending; m^2
+
+  /// Part of the variance that is across the plane: 0 flat, 1/3 no plane at all.
+  double surface_variation() const noexcept { return variance[0] / variance.sum(); }
+
+  /// Everything less than `thickness_m` above the plane.
+  HalfSpace below(double thickness_m) const noexcept;
+};
+
+PlaneFit fit_plane(const PointStatistics& points) noexcept;
+
+}  // namespace pago::ground
