@@ -75,6 +75,7 @@ std::vector<Entry> parse_toml(std::string_view text, const std::string& name) {
   std::ranges::sort(placed, {}, [](const Placed& p) { return std::pair(p.entry.line, p.column); });
 
   std::vector<Entry> entries;
+  entries.reserve(placed.size());
   for (Placed& p : placed) entries.push_back(std::move(p.entry));
   return entries;
 }

@@ -24,7 +24,7 @@ std::string shortest(double value) {
   const double size = std::abs(value);
   const bool is_handy = size == 0.0 || (size >= 1e-5 && size < 1e15);
   const auto format = is_handy ? std::chars_format::fixed : std::chars_format::scientific;
-  std::array<char, 32> digits;
+  std::array<char, 32> digits{};
   const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), value, format).ptr;
   return {digits.data(), end};
 }
@@ -40,7 +40,7 @@ std::string quoted(std::string_view text) {
     if (letter == '"' || letter == '\\') {
       out += {'\\', letter};
     } else if (static_cast<unsigned char>(letter) < 0x20 || letter == 0x7f) {
-      std::array<char, 8> escape;
+      std::array<char, 8> escape{};
       std::snprintf(escape.data(), escape.size(), "\\u%04X", static_cast<unsigned>(letter));
       out += escape.data();
     } else {
