@@ -1,0 +1,61 @@
+// SPDX-FileCopyrightText: 2026 The PaGO authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <Eigen/Geometry>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "pago/evaluation/trajectory.hpp"
+
+namespace pago::evaluation {
+
+/// How the poses of the two files find each other.
+enum class Matching {
+  kAuto,   ///< by stamp when both files have stamps, else by row
+  kRow,    ///< row i belongs to row i; the files must have equally many rows unless rows are chosen
+  kStamp,  ///< nearest stamp within a maximum difference
+};
+
+/// Rows first to last, both included, counted from 0.
+struct RowRange {
+  std::size_t first = 0, last = 0;
+};
+
+/// Reads "A-B". Error when it is not that, or A > B.
+RowRange parse_row_range(std::string_view text);
+
+struct MatchOptions {
+  Matching matching = Matching::kAuto;
+  /// Score only these rows: of both files by row, of the base by stamp.
+  std::optional<RowRange> rows = std::nullopt;
+  double max_difference_s = 0.02;  ///< by stamp: poses farther apart do not match; > 0
+  bool interpolates_truth =
+      false;  ///< by stamp: truth is interpolated (slerp, lerp) to the estimate's stamps
+};
+
+/// A row of the base trajectory with what belongs to it. The base is the truth; by stamp it
+/// is the estimate where the truth's rate is more than twice its own (a 200 Hz truth) or truth is
+/// interpolated.
+struct MatchedPose {
+  std::size_t row = 0;  ///< in the base's file
+  Eigen::Isometry3d T_world_sensor_truth = Eigen::Isometry3d::Identity();
+  std::optional<Eigen::Isometry3d> T_world_sensor_estimate;  ///< empty: the estimate has no pose for this row
+};
+
+/// Rows of the base in order, never re-numbered: a row without estimate stays in the list and leaves a hole,
+/// so that what is scored does not depend on what is missing.
+struct MatchedTrajectories {
+  std::vector<MatchedPose> poses;
+  std::string how;  ///< "by row", "by stamp within 0.020 s", ... for the report
+
+  std::size_t num_matched() const noexcept;
+};
+
+/// Brings the two files together. Error when they do not fit: differing row counts without chosen rows, rows
+/// beyond an end, stamps asked for where there are none, no two stamps close enough.
+MatchedTrajectories match(const Trajectory& truth, const Trajectory& estimate, const MatchOptions& options);
+
+}  // namespace pago::evaluation

@@ -1,0 +1,103 @@
+// SPDX-FileCopyrightText: 2026 The PaGO authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "pago/evaluation/relative_error.hpp"
+
+#include <algorithm>
+#include <limits>
+
+#include "pago/core/error.hpp"
+#include "pago/evaluation/motion.hpp"
+#include "rotation.hpp"
+#include "text.hpp"
+
+namespace pago::evaluation {
+namespace {
+
+constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+
+void check(const SegmentOptions& options) {
+  if (options.step_rows < 1) throw Error("step", "must be at least 1 row");
+  if (options.lengths_m.empty()) throw Error("lengths", "there is none");
+  for (const double length_m : options.lengths_m)
+    if (!(length_m > 0.0 && std::isfinite(length_m)))
+      throw Error("lengths", format("%g m is not a length greater than 0", length_m));
+}
+
+std::vector<double> true_distances_m(const MatchedTrajectories& matched) {
+  std::vector<Eigen::Isometry3d> truth;
+  for (const MatchedPose& pose : matched.poses) truth.push_back(pose.T_world_sensor_truth);
+  return distances_m(truth);
+}
+
+SegmentError segment_error(const MatchedPose& first, const MatchedPose& last, double length_m) {
+  const Eigen::Isometry3d true_motion = first.T_world_sensor_truth.inverse() * last.T_world_sensor_truth;
+  const Eigen::Isometry3d estimated_motion =
+      first.T_world_sensor_estimate->inverse() * *last.T_world_sensor_estimate;
+  const Eigen::Isometry3d E = estimated_motion.inverse() * true_motion;
+  SegmentError error;
+  error.length_m = length_m;
+  error.translation = E.translation().norm() / length_m;
+  error.rotation_rad_per_m = log_so3(E.linear()).norm() / length_m;
+  error.translation_per_axis = E.translation() / length_m;
+  error.rotation_rad_per_m_per_axis = roll_pitch_yaw_rad(E.linear()) / length_m;
+  return error;
+}
+
+std::vector<DriftRates> rates_by_length(const RelativeErrors& errors, const std::vector<double>& lengths_m) {
+  std::vector<DriftRates> rates;
+  for (const double length_m : lengths_m) {
+    std::vector<SegmentError> segments;
+    std::copy_if(errors.segments.begin(), errors.segments.end(), std::back_inserter(segments),
+                 [length_m](const SegmentError& s) { return s.length_m == length_m; });
+    if (segments.empty()) continue;
+    rates.push_back(drift_rates(segments));
+    rates.back().length_m = length_m;
+  }
+  return rates;
+}
+
+}  // namespace
+
+DriftRates drift_rates(const std::vector<SegmentError>& segments) {
+  DriftRates rates;
+  rates.num_segments = segments.size();
+  for (const SegmentError& segment : segments) {
+    rates.t_rel_percent += segment.translation;
+    rates.r_rel_deg_per_100m += segment.rotation_rad_per_m;
+    rates.axis_percent += segment.translation_per_axis.cwiseAbs();
+    rates.axis_deg_per_100m += segment.rotation_rad_per_m_per_axis.cwiseAbs();
+  }
+  const double n = segments.empty() ? kNaN : static_cast<double>(segments.size());
+  rates.t_rel_percent *= 100.0 / n;
+  rates.axis_percent *= 100.0 / n;
+  rates.r_rel_deg_per_100m *= 100.0 * kDegPerRad / n;
+  rates.axis_deg_per_100m *= 100.0 * kDegPerRad / n;
+  return rates;
+}
+
+RelativeErrors relative_errors(const MatchedTrajectories& matched, const SegmentOptions& options) {
+  check(options);
+  const auto& poses = matched.poses;
+  const std::vector<double> distance_m = true_distances_m(matched);
+  RelativeErrors errors;
+  for (std::size_t first = 0; first < poses.size(); first += static_cast<std::size_t>(options.step_rows)) {
+    for (const double length_m : options.lengths_m) {
+      const auto end = std::upper_bound(distance_m.begin() + static_cast<std::ptrdiff_t>(first),
+                                        distance_m.end(), distance_m[first] + length_m);
+      if (end == distance_m.end()) continue;
+      const auto last = static_cast<std::size_t>(end - distance_m.begin());
+      if (!poses[first].T_world_sensor_estimate || !poses[last].T_world_sensor_estimate) {
+        ++errors.num_skipped;
+        continue;
+      }
+      SegmentError& error = errors.segments.emplace_back(segment_error(poses[first], poses[last], length_m));
+      error.first = first;
+      error.last = last;
+    }
+  }
+  errors.overall = drift_rates(errors.segments);
+  errors.by_length = rates_by_length(errors, options.lengths_m);
+  return errors;
+}
+
+}  // namespace pago::evaluation

@@ -1,0 +1,155 @@
+// SPDX-FileCopyrightText: 2026 The PaGO authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "pago/evaluation/ground_metrics.hpp"
+
+#include <unistd.h>
+
+#include <fstream>
+#include <set>
+
+#include "pago/core/error.hpp"
+#include "support/catch.hpp"
+#include "support/data.hpp"
+
+namespace {
+
+using namespace pago::evaluation;
+using Catch::Matchers::Contains;
+
+constexpr auto kA = GroundProtocol::kPatchwork;
+constexpr auto kB = GroundProtocol::kPatchworkPlusPlus;
+
+/// One point per row: what it is, how high, what the method said.
+struct Point {
+  std::uint32_t label;
+  float z_m;
+  std::uint8_t mask;
+};
+
+GroundCounts count(GroundProtocol protocol, const std::vector<Point>& points) {
+  std::vector<std::uint32_t> labels;
+  std::vector<float> z_m;
+  std::vector<std::uint8_t> mask;
+  for (const Point& p : points) {
+    labels.push_back(p.label);
+    z_m.push_back(p.z_m);
+    mask.push_back(p.mask);
+  }
+  return count_ground(protocol, labels, z_m, mask);
+}
+
+const std::vector<Point> kFrame{
+    {40, -1.7F, 1}, {44, -1.7F, 1}, {48, -1.6F, 1},  {49, -1.7F, 0},
+    {60, -1.7F, 1}, {72, -1.0F, 0},                                  // ground
+    {70, -1.5F, 1}, {70, -1.5F, 0}, {70, -1.0F, 1},  {70, 2.0F, 0},  // vegetation: two low, two high
+    {10, -1.7F, 1}, {50, 1.0F, 0},  {252, -1.7F, 1},                 // car, building, moving car
+    {0, -1.7F, 1},  {1, -1.7F, 1},  {0, 0.0F, 0},                    // unlabelled, outlier
+};
+
+TEST_CASE("protocol A counts low vegetation as ground and the rest of it as not",
+          "[evaluation][ground_metrics]") {
+  const GroundCounts counts = count(kA, kFrame);
+  CHECK(counts.true_positive == 5);
+  CHECK(counts.false_negative == 3);
+  CHECK(counts.false_positive == 3);
+  CHECK(counts.true_negative == 2);
+  CHECK(counts.excluded == 3);
+  const GroundScore score = ground_score(counts);
+  CHECK(score.precision == Approx(5.0 / 8));
+  CHECK(score.recall == Approx(5.0 / 8));
+  CHECK(score.f1 == Approx(5.0 / 8));
+  CHECK(score.accuracy == Approx(7.0 / 13));
+  CHECK(score.iou == Approx(5.0 / 11));
+}
+
+TEST_CASE("protocol B leaves vegetation out", "[evaluation][ground_metrics]") {
+  const GroundCounts counts = count(kB, kFrame);
+  CHECK(counts.true_positive == 4);
+  CHECK(counts.false_negative == 2);
+  CHECK(counts.false_positive == 2);
+  CHECK(counts.true_negative == 1);
+  CHECK(counts.excluded == 7);
+}
+
+TEST_CASE("the instance number in the upper half of a label does not matter",
+          "[evaluation][ground_metrics]") {
+  const GroundCounts counts = count(kA, {{40U | 7U << 16U, 0.0F, 1}, {10U | 40U << 16U, 0.0F, 1}});
+  CHECK(counts.true_positive == 1);
+  CHECK(counts.false_positive == 1);
+}
+
+TEST_CASE("mask and labels must cover every point", "[evaluation][ground_metrics]") {
+  const std::vector<std::uint32_t> labels(3, 40);
+  const std::vector<float> z_m(3, 0.0F);
+  const std::vector<std::uint8_t> mask(2, 1);
+  CHECK_THROWS_WITH(count_ground(kA, labels, z_m, mask), Contains("3 points, 3 labels and a mask of 2"));
+  CHECK_THROWS_AS(count_ground(kA, std::span(labels).first(2), z_m, std::vector<std::uint8_t>(3, 1)),
+                  pago::Error);
+}
+
+TEST_CASE("per-frame means and pooled figures differ as they should", "[evaluation][ground_metrics]") {
+  GroundCounts small, large;
+  small.true_positive = 1, small.false_positive = 1;
+  large.true_positive = 98;
+  const GroundSummary summary = summarize_ground(std::vector{small, large});
+  CHECK(summary.num_frames == 2);
+  CHECK(summary.mean.precision == Approx(0.75));
+  CHECK(summary.deviation.precision == Approx(0.25));
+  CHECK(summary.pooled.precision == Approx(0.99));
+  CHECK(summary.mean.recall == Approx(1.0));
+}
+
+TEST_CASE("frames of the two protocols are never mixed", "[evaluation][ground_metrics]") {
+  GroundCounts a, b;
+  a.protocol = kA, b.protocol = kB;
+  CHECK_THROWS_WITH(summarize_ground(std::vector{a, b}), Contains("protocol A and by protocol B"));
+  CHECK_THROWS_AS(summarize_ground({}), pago::Error);
+  CHECK(summarize_ground(std::vector{b}).protocol == kB);
+  CHECK(to_string(kA) != to_string(kB));
+}
+
+TEST_CASE("nothing claimed where nothing is counts as right, elsewhere as wrong",
+          "[evaluation][ground_metrics]") {
+  CHECK(ground_score({}).f1 == 1.0);
+  const GroundScore missed = ground_score(count(kA, {{40, -1.7F, 0}}));
+  CHECK(missed.recall == 0.0);
+  CHECK(missed.f1 == 0.0);
+}
+
+TEST_CASE("label files are refused by name when they do not fit the scan", "[evaluation][ground_metrics]") {
+  const auto path = std::filesystem::temp_directory_path() / ("pago_label_" + std::to_string(::getpid()));
+  std::ofstream(path, std::ios::binary) << std::string("\x28\x00\x01\x00\x46\x00\x00\x00", 8);
+  CHECK(read_semantic_labels(path, 2) == std::vector<std::uint32_t>{0x10028, 0x46});
+  CHECK_THROWS_WITH(read_semantic_labels(path, 3), Contains("has 8 bytes, 3 points need 12"));
+  std::filesystem::remove(path);
+  CHECK_THROWS_WITH(read_semantic_labels(path, 2), Contains("cannot be opened"));
+}
+
+TEST_CASE("on the labelled scan the true mask scores 1 and a full mask the share of ground",
+          "[evaluation][ground_metrics]") {
+  PAGO_DATA_OR_SKIP(folder, "kitti/semantickitti_single");
+  std::ifstream stream(folder / "velodyne/000000.bin", std::ios::binary);
+  std::vector<float> z_m;
+  for (float xyzi[4]; stream.read(reinterpret_cast<char*>(xyzi), sizeof xyzi);) z_m.push_back(xyzi[2]);
+  const auto labels = read_semantic_labels(folder / "labels/000000.label", z_m.size());
+  const std::set<std::uint32_t> ground{40, 44, 48, 49, 60, 72};
+
+  std::vector<std::uint8_t> truth(z_m.size());
+  std::size_t num_ground = 0, num_known = 0;
+  for (std::size_t i = 0; i < z_m.size(); ++i) {
+    const std::uint32_t label = labels[i] & 0xFFFF;
+    truth[i] = ground.contains(label) ? 1 : 0;
+    num_ground += truth[i];
+    num_known += label > 1 && label != 70 ? 1 : 0;
+  }
+  REQUIRE(num_ground > 10'000);
+  CHECK(ground_score(count_ground(kB, labels, z_m, truth)).f1 == 1.0);
+  const GroundScore full =
+      ground_score(count_ground(kB, labels, z_m, std::vector<std::uint8_t>(z_m.size(), 1)));
+  CHECK(full.recall == 1.0);
+  CHECK(full.precision == Approx(static_cast<double>(num_ground) / static_cast<double>(num_known)));
+  // By A the same mask misses the low vegetation.
+  CHECK(ground_score(count_ground(kA, labels, z_m, truth)).recall < 1.0);
+}
+
+}  // namespace
