@@ -19,7 +19,7 @@ inline constexpr std::size_t kCacheLineBytes = 64;
 /// real-time safe.
 template <typename T>
 class AlignedArray {
-  static_assert(std::is_trivially_copyable_v<T>);
+  static_assert(std::is_trivially_destructible_v<T>);
 
  public:
   AlignedArray() = default;

@@ -1,0 +1,76 @@
+// SPDX-FileCopyrightText: 2026 The PaGO authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "pago/config/describe.hpp"
+
+namespace pago {
+
+/// [features.clustering] Range-image segmentation (Bogoslavskyi and Stachniss 2016, as in LeGO-LOAM).
+struct ClusteringConfig {
+  double join_angle_deg = 60.0;
+  int min_points = 30;
+  int min_points_tall = 5;
+  int min_rings_tall = 3;
+};
+
+template <typename Visitor>
+void describe(Visitor& v, ClusteringConfig& c) {
+  v("join_angle_deg", c.join_angle_deg, within(1.0, 89.0),
+    "neighbouring returns belong together when the line between them is steeper than this against the far "
+    "beam "
+    "(LeGO-LOAM: 60)");
+  v("min_points", c.min_points, within(1, 100000),
+    "a segment of this many returns is trusted (LeGO-LOAM: 30)");
+  v("min_points_tall", c.min_points_tall, within(1, 100000),
+    "fewer suffice where the segment spans min_rings_tall rings, as poles do (LeGO-LOAM: 5)");
+  v("min_rings_tall", c.min_rings_tall, within(1, 64), "see min_points_tall (LeGO-LOAM: 3)");
+}
+
+/// How the range differences around a return are made comparable.
+enum class Smoothness {
+  kRangeSquared,  ///< c = (sum of r_k - r_i)^2, in m^2: LeGO-LOAM's, the same threshold at every range
+  kNormalised     ///< c = |sum of r_k - r_i| / (10 r_i): LOAM's, in parts of the range
+};
+
+/// [features]
+struct FeaturesConfig {
+  ClusteringConfig clustering;
+  double min_range_m = 1.0;
+  Smoothness smoothness = Smoothness::kRangeSquared;
+  double edge_threshold = 0.1;
+  double planar_threshold = 0.1;
+  int sectors = 6;
+  int sharp_edges_per_sector = 2;
+  int edges_per_sector = 20;
+  int flat_planars_per_sector = 4;
+  double occlusion_jump_m = 0.3;
+  double parallel_beam_ratio = 0.02;
+  double planar_spacing_m = 0.2;
+};
+
+template <typename Visitor>
+void describe(Visitor& v, FeaturesConfig& c) {
+  v.section("clustering", c.clustering, "grouping of non-ground returns; small groups give no features");
+  v("min_range_m", c.min_range_m, within(0.1, 20.0), "closer returns give no features (LeGO-LOAM: 1.0)");
+  v("smoothness", c.smoothness,
+    choices(std::pair{"range_squared", Smoothness::kRangeSquared},
+            std::pair{"normalised", Smoothness::kNormalised}),
+    "smoothness measure: LeGO-LOAM's squared range sum (m^2), or LOAM's, divided by the range");
+  v("edge_threshold", c.edge_threshold, within(1e-6, 100.0),
+    "edges are rougher than this, in the measure's unit");
+  v("planar_threshold", c.planar_threshold, within(1e-6, 100.0), "planar points are smoother than this");
+  v("sectors", c.sectors, within(1, 64), "each ring is searched in this many sectors (LeGO-LOAM: 6)");
+  v("sharp_edges_per_sector", c.sharp_edges_per_sector, within(0, 20), "edges to register (LeGO-LOAM: 2)");
+  v("edges_per_sector", c.edges_per_sector, within(0, 40), "edges to register against (LeGO-LOAM: 20)");
+  v("flat_planars_per_sector", c.flat_planars_per_sector, within(0, 10),
+    "planar points to register, of ground and of other surfaces each (LeGO-LOAM: 4, ground only)");
+  v("occlusion_jump_m", c.occlusion_jump_m, within(0.01, 10.0),
+    "a range jump beyond this hides the farther side: no features there (LeGO-LOAM: 0.3)");
+  v("parallel_beam_ratio", c.parallel_beam_ratio, within(0.001, 1.0),
+    "a range change beyond this part of the range on both sides means a grazing beam (LeGO-LOAM: 0.02)");
+  v("planar_spacing_m", c.planar_spacing_m, within(0.01, 5.0),
+    "planar points to register against keep this distance along a ring (LeGO-LOAM: 0.2)");
+}
+
+}  // namespace pago

@@ -1,0 +1,56 @@
+// SPDX-FileCopyrightText: 2026 The PaGO authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "pago/config/features.hpp"
+#include "pago/core/stage.hpp"
+#include "pago/features/clustering.hpp"
+
+namespace pago::features {
+
+/// One ring as a sequence: its usable returns in column order. Structure of arrays, one entry per return.
+struct RingSequence {
+  explicit RingSequence(std::size_t max_columns)
+      : index(max_columns),
+        column(max_columns),
+        range_m(max_columns),
+        smoothness(max_columns),
+        is_ground(max_columns),
+        blocked(max_columns) {}
+
+  std::size_t size = 0;
+  AlignedArray<std::uint32_t> index;  ///< of the return in the sweep
+  AlignedArray<std::int32_t> column;
+  AlignedArray<float> range_m;
+  AlignedArray<float> smoothness;  ///< infinity where it is not defined
+  AlignedArray<std::uint8_t> is_ground;
+  AlignedArray<std::uint8_t> blocked;  ///< occluded, grazed, or beside one that was picked
+};
+
+/// Feature extraction as a pipeline stage (LeGO-LOAM section III.C-D, PaGO-LOAM): clusters, then along each
+/// ring edges (rough, never ground) and planar points (smooth; ground and other surfaces). Fills
+/// sweep.cluster and sweep.features. [set-up] constructor; [front thread] the rest: real-time safe,
+/// deterministic.
+class FeaturesStage {
+ public:
+  FeaturesStage(const FeaturesConfig& config, std::uint32_t max_returns);
+
+  void begin(Sweep&) noexcept {}
+  void accept(const SweepPart&) noexcept {}
+  void finish(Sweep& sweep) noexcept;
+
+ private:
+  void load_ring(const Sweep& sweep, int ring) noexcept;
+  void select(Sweep& sweep) noexcept;
+  void select_edges(FeatureLists& lists, std::size_t begin, std::size_t end) noexcept;
+  void select_planars(FeatureLists& lists, std::size_t begin, std::size_t end, std::uint8_t ground) noexcept;
+  void keep_targets(Sweep& sweep) noexcept;
+
+  FeaturesConfig config_;
+  Clusterer clusterer_;
+  RingSequence ring_;
+  FixedVector<std::uint32_t> candidates_;
+  AlignedArray<std::uint8_t> is_edge_;
+};
+
+}  // namespace pago::features

@@ -1,0 +1,120 @@
+// SPDX-FileCopyrightText: 2026 The PaGO authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "pago/features/features.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "ring_sequence.hpp"
+
+namespace pago::features {
+
+FeaturesStage::FeaturesStage(const FeaturesConfig& config, std::uint32_t max_returns)
+    : config_(config),
+      clusterer_(config.clustering, max_returns),
+      ring_(kMaxColumns),
+      candidates_(kMaxColumns),
+      is_edge_(kMaxColumns) {}
+
+void FeaturesStage::finish(Sweep& sweep) noexcept {
+  clusterer_.label(sweep);
+  for (int ring = 0; ring < kNumRings; ++ring) {
+    load_ring(sweep, ring);
+    compute_smoothness(ring_, config_.smoothness);
+    block_unreliable(ring_, config_);
+    select(sweep);
+    keep_targets(sweep);
+  }
+}
+
+void FeaturesStage::load_ring(const Sweep& sweep, int ring) noexcept {
+  const std::int32_t* row = sweep.range_image.row(ring);
+  const auto min_range_m = static_cast<float>(config_.min_range_m);
+  ring_.size = 0;
+  for (std::uint32_t column = 0; column < sweep.header.num_columns; ++column) {
+    if (row[column] == RangeImage::kEmpty) continue;
+    const auto i = static_cast<std::uint32_t>(row[column]);
+    if (sweep.cluster[i] == kClutter) continue;
+    const float range_m =
+        std::sqrt(sweep.x_m[i] * sweep.x_m[i] + sweep.y_m[i] * sweep.y_m[i] + sweep.z_m[i] * sweep.z_m[i]);
+    if (!(range_m >= min_range_m)) continue;
+    const std::size_t n = ring_.size++;
+    ring_.index[n] = i;
+    ring_.column[n] = static_cast<std::int32_t>(column);
+    ring_.range_m[n] = range_m;
+    ring_.is_ground[n] = sweep.ground[i];
+  }
+  std::fill_n(is_edge_.data(), ring_.size, std::uint8_t{0});
+}
+
+void FeaturesStage::select(Sweep& sweep) noexcept {
+  if (ring_.size < 2 * kReach + 1) return;
+  const std::size_t first = kReach, length = ring_.size - 2 * kReach;
+  const auto sectors = static_cast<std::size_t>(config_.sectors);
+  for (std::size_t s = 0; s < sectors; ++s) {
+    const std::size_t begin = first + length * s / sectors;
+    const std::size_t end = first + length * (s + 1) / sectors;
+    select_edges(sweep.features, begin, end);
+    select_planars(sweep.features, begin, end, kGround);
+    select_planars(sweep.features, begin, end, kNonGround);
+  }
+}
+
+// Roughest first; each pick blocks its neighbours. The first few are registered, all of them are registered
+// against.
+void FeaturesStage::select_edges(FeatureLists& lists, std::size_t begin, std::size_t end) noexcept {
+  candidates_.clear();
+  const auto threshold = static_cast<float>(config_.edge_threshold);
+  for (std::size_t i = begin; i < end; ++i) {
+    if (!ring_.blocked[i] && ring_.is_ground[i] == kNonGround && ring_.smoothness[i] > threshold) {
+      candidates_.push_back(static_cast<std::uint32_t>(i));
+    }
+  }
+  std::sort(candidates_.begin(), candidates_.end(), [&](std::uint32_t a, std::uint32_t b) {
+    return ring_.smoothness[a] != ring_.smoothness[b] ? ring_.smoothness[a] > ring_.smoothness[b] : a < b;
+  });
+  int picked = 0;
+  for (const std::uint32_t i : candidates_) {
+    if (picked == config_.edges_per_sector) break;
+    if (ring_.blocked[i]) continue;
+    if (picked++ < config_.sharp_edges_per_sector) lists.sharp_edges.push_back(ring_.index[i]);
+    lists.edges.push_back(ring_.index[i]);
+    is_edge_[i] = 1;
+    block_around(ring_, i);
+  }
+}
+
+void FeaturesStage::select_planars(FeatureLists& lists,
+                                   std::size_t begin,
+                                   std::size_t end,
+                                   std::uint8_t ground) noexcept {
+  for (int picked = 0; picked < config_.flat_planars_per_sector; ++picked) {
+    auto best_smoothness = static_cast<float>(config_.planar_threshold);
+    std::size_t best = end;
+    for (std::size_t i = begin; i < end; ++i) {
+      if (!ring_.blocked[i] && ring_.is_ground[i] == ground && ring_.smoothness[i] < best_smoothness) {
+        best_smoothness = ring_.smoothness[i];
+        best = i;
+      }
+    }
+    if (best == end) return;
+    lists.flat_planars.push_back(ring_.index[best]);
+    block_around(ring_, best);
+  }
+}
+
+// All that is no edge, thinned along the ring: what later sweeps find planes in.
+void FeaturesStage::keep_targets(Sweep& sweep) noexcept {
+  const auto spacing_sq = static_cast<float>(config_.planar_spacing_m * config_.planar_spacing_m);
+  float x = 1e9F, y = 1e9F, z = 1e9F;
+  for (std::size_t n = 0; n < ring_.size; ++n) {
+    if (is_edge_[n]) continue;
+    const std::uint32_t i = ring_.index[n];
+    const float dx = sweep.x_m[i] - x, dy = sweep.y_m[i] - y, dz = sweep.z_m[i] - z;
+    if (dx * dx + dy * dy + dz * dz < spacing_sq) continue;
+    sweep.features.planars.push_back(i);
+    x = sweep.x_m[i], y = sweep.y_m[i], z = sweep.z_m[i];
+  }
+}
+
+}  // namespace pago::features

@@ -1,0 +1,113 @@
+// SPDX-FileCopyrightText: 2026 The PaGO authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "pago/features/features.hpp"
+
+#include <array>
+#include <cstring>
+#include <set>
+
+#include "support/catch.hpp"
+#include "support/street.hpp"
+
+using namespace pago;
+using namespace pago::features;
+
+namespace {
+
+Sweep street_sweep(double noise_m) {
+  Sweep sweep(test::kStreetReturns);
+  test::Street().scan(test::street_start(), Vector6d::Zero(), 0, noise_m, sweep);
+  return sweep;
+}
+
+}  // namespace
+
+TEST_CASE("on a street edges lie on corners and poles, planar points on ground and walls",
+          "[features][stage]") {
+  Sweep sweep = street_sweep(0.01);
+  FeaturesStage stage(FeaturesConfig{}, test::kStreetReturns);
+  stage.finish(sweep);
+  const FeatureLists& lists = sweep.features;
+  REQUIRE(lists.sharp_edges.size() > 50);
+  REQUIRE(lists.edges.size() > lists.sharp_edges.size());
+  REQUIRE(lists.flat_planars.size() > 500);
+  REQUIRE(lists.planars.size() > 3000);
+
+  std::size_t near_corner = 0;
+  for (const std::uint32_t i : lists.sharp_edges) {
+    REQUIRE(sweep.ground[i] == kNonGround);
+    // Corners stand every 12 m in x; poles 3 m behind a corner on the left, 8 m on the right.
+    const double x = static_cast<double>(sweep.x_m[i]);
+    const auto off = [&](double at) { return std::abs(std::remainder(x - at, 12.0)); };
+    if (std::min({off(0.0), off(3.0), off(8.0)}) < 0.4 || std::abs(x) > 60.0) ++near_corner;
+  }
+  INFO(near_corner << " of " << lists.sharp_edges.size());
+  REQUIRE(10 * near_corner > 8 * lists.sharp_edges.size());
+
+  std::size_t ground = 0;
+  for (const std::uint32_t i : lists.flat_planars) ground += sweep.ground[i];
+  REQUIRE(ground > 100);
+  REQUIRE(ground < lists.flat_planars.size());
+}
+
+TEST_CASE("no sector gives more than its quota and no return is picked twice", "[features][stage]") {
+  Sweep sweep = street_sweep(0.02);
+  const FeaturesConfig config;
+  FeaturesStage(config, test::kStreetReturns).finish(sweep);
+  std::array<int, kNumRings> sharp{}, edges{}, flat{};
+  for (const std::uint32_t i : sweep.features.sharp_edges) ++sharp[sweep.ring[i]];
+  for (const std::uint32_t i : sweep.features.edges) ++edges[sweep.ring[i]];
+  for (const std::uint32_t i : sweep.features.flat_planars) ++flat[sweep.ring[i]];
+  for (std::size_t ring = 0; ring < kNumRings; ++ring) {
+    REQUIRE(sharp[ring] <= config.sectors * config.sharp_edges_per_sector);
+    REQUIRE(edges[ring] <= config.sectors * config.edges_per_sector);
+    REQUIRE(flat[ring] <= 2 * config.sectors * config.flat_planars_per_sector);
+  }
+  const auto unique = [](const FixedVector<std::uint32_t>& list) {
+    return std::set<std::uint32_t>(list.begin(), list.end()).size();
+  };
+  REQUIRE(unique(sweep.features.edges) == sweep.features.edges.size());
+  REQUIRE(unique(sweep.features.planars) == sweep.features.planars.size());
+  std::set<std::uint32_t> edge_set(sweep.features.edges.begin(), sweep.features.edges.end());
+  for (const std::uint32_t i : sweep.features.planars) REQUIRE(edge_set.count(i) == 0);
+}
+
+TEST_CASE("targets keep their distance along a ring", "[features][stage]") {
+  Sweep sweep = street_sweep(0.0);
+  FeaturesConfig config;
+  config.planar_spacing_m = 0.5;
+  FeaturesStage(config, test::kStreetReturns).finish(sweep);
+  const auto& planars = sweep.features.planars;
+  for (std::size_t n = 1; n < planars.size(); ++n) {
+    const std::uint32_t a = planars[n - 1], b = planars[n];
+    if (sweep.ring[a] != sweep.ring[b]) continue;
+    const float dx = sweep.x_m[a] - sweep.x_m[b], dy = sweep.y_m[a] - sweep.y_m[b],
+                dz = sweep.z_m[a] - sweep.z_m[b];
+    REQUIRE(dx * dx + dy * dy + dz * dz >= 0.25F * 0.999F);
+  }
+}
+
+TEST_CASE("empty, single-return and all-ground sweeps give no edges", "[features][stage]") {
+  FeaturesStage stage(FeaturesConfig{}, test::kStreetReturns);
+  Sweep empty(10);
+  stage.finish(empty);
+  REQUIRE(empty.features.edges.empty());
+
+  Sweep sweep = street_sweep(0.01);
+  std::fill_n(sweep.ground.data(), sweep.size, kGround);
+  stage.finish(sweep);
+  REQUIRE(sweep.features.edges.empty());
+  REQUIRE(sweep.features.flat_planars.size() > 100);
+}
+
+TEST_CASE("the same sweep gives the same features twice", "[features][stage]") {
+  FeaturesStage stage(FeaturesConfig{}, test::kStreetReturns);
+  Sweep a = street_sweep(0.02), b = street_sweep(0.02);
+  stage.finish(a);
+  stage.finish(b);
+  REQUIRE(a.features.edges.size() == b.features.edges.size());
+  REQUIRE(std::memcmp(a.features.edges.begin(), b.features.edges.begin(), a.features.edges.size() * 4) == 0);
+  REQUIRE(a.features.planars.size() == b.features.planars.size());
+  REQUIRE(std::memcmp(a.features.planars.begin(), b.features.planars.begin(),
+                      a.features.planars.size() * 4) == 0);
+}

@@ -1,0 +1,113 @@
+// SPDX-FileCopyrightText: 2026 The PaGO authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "pago/odometry/registration.hpp"
+
+#include <Eigen/Eigenvalues>
+
+#include "pago/core/se3.hpp"
+#include "pago/features/features.hpp"
+#include "support/catch.hpp"
+#include "support/street.hpp"
+
+using namespace pago;
+using namespace pago::odometry;
+
+namespace {
+
+/// Two compensated looks at the street, T_first_second apart, as features.
+struct Pair {
+  Pair(const Eigen::Isometry3d& T_first_second, double noise_m)
+      : targets(test::kStreetReturns), sources(test::kStreetReturns) {
+    const test::Street street;
+    features::FeaturesStage extract(FeaturesConfig{}, test::kStreetReturns);
+    Sweep sweep(test::kStreetReturns);
+    FeatureCloud cloud(test::kStreetReturns);
+
+    street.scan(test::street_start(), Vector6d::Zero(), 0, noise_m, sweep);
+    extract.finish(sweep);
+    const auto fill = [&](const auto& indices, int ground) -> const FeatureCloud& {
+      cloud.size = 0;
+      for (const auto i : indices) {
+        if (ground >= 0 && sweep.ground[i] != ground) continue;
+        cloud.add({sweep.x_m[i], sweep.y_m[i], sweep.z_m[i]}, 0.0F, sweep.ring[i]);
+      }
+      return cloud;
+    };
+    targets.edges.build(fill(sweep.features.edges, -1));
+    targets.ground.build(fill(sweep.features.planars, kGround));
+    targets.walls.build(fill(sweep.features.planars, kNonGround));
+
+    street.scan(test::street_start() * T_first_second, Vector6d::Zero(), 100'000'000, noise_m, sweep);
+    extract.finish(sweep);
+    const auto copy = [](const FeatureCloud& from, FeatureCloud& to) {
+      for (std::size_t i = 0; i < from.size; ++i) to.add(from.point(i), 0.0F, from.ring[i]);
+    };
+    copy(fill(sweep.features.sharp_edges, -1), sources.edges);
+    copy(fill(sweep.features.flat_planars, kGround), sources.ground);
+    copy(fill(sweep.features.flat_planars, kNonGround), sources.walls);
+  }
+  TargetSet targets;
+  FeatureSet sources;
+};
+
+Eigen::Isometry3d motion(double forward_m, double yaw_deg, double pitch_deg) {
+  Vector6d xi;
+  xi << forward_m, 0.05, 0.02, 0.0, pitch_deg * 0.0174533, yaw_deg * 0.0174533;
+  return exp_se3(xi);
+}
+
+}  // namespace
+
+TEST_CASE("two steps find a known motion from a standing guess", "[odometry][registration]") {
+  const Eigen::Isometry3d T_true = motion(1.0, 2.0, 0.3);
+  const Pair pair(T_true, 0.01);
+  TwoStepRegistration registration(OdometryConfig{}, 8000);
+  const RegistrationResult result =
+      registration.align(pair.sources, pair.targets, Eigen::Isometry3d::Identity(), 0.0, 5.0);
+  const Vector6d error = log_se3(T_true.inverse() * result.T_target_source);
+  INFO("error " << error.transpose());
+  REQUIRE(error.head<3>().norm() < 0.02);
+  REQUIRE(error.tail<3>().norm() < 0.002);
+  REQUIRE(result.ground_matches > 500);
+  REQUIRE(result.score > 0.3);
+}
+
+TEST_CASE("the stated information fits the spread of the errors", "[odometry][registration]") {
+  // Normalised squared error over several noise draws; a wildly wrong covariance would leave these generous
+  // bounds.
+  TwoStepRegistration registration(OdometryConfig{}, 8000);
+  double sum = 0.0;
+  constexpr int kDraws = 6;
+  for (int i = 0; i < kDraws; ++i) {
+    const Eigen::Isometry3d T_true = motion(0.5 + 0.1 * i, 0.5 * i, 0.0);
+    const Pair pair(T_true, 0.02);
+    const RegistrationResult result = registration.align(pair.sources, pair.targets, T_true, 0.0, 2.0);
+    const Vector6d error = log_se3(T_true.inverse() * result.T_target_source);
+    sum += error.dot(result.information * error);
+  }
+  INFO("mean normalised squared error " << sum / kDraws << " (6 expected of an exact one)");
+  REQUIRE(sum / kDraws < 200.0);
+  REQUIRE(sum / kDraws > 0.06);
+}
+
+TEST_CASE("the paper's gain of 0.05 leaves most of an unpredicted motion", "[odometry][registration]") {
+  const Eigen::Isometry3d T_true = motion(1.0, 0.0, 0.0);
+  const Pair pair(T_true, 0.0);
+  OdometryConfig config;
+  config.update_gain = 0.05;
+  TwoStepRegistration damped(config, 8000);
+  const RegistrationResult result =
+      damped.align(pair.sources, pair.targets, Eigen::Isometry3d::Identity(), 0.0, 5.0);
+  REQUIRE(result.T_target_source.translation().x() < 0.8);
+}
+
+TEST_CASE("without features the guess comes back", "[odometry][registration]") {
+  const FeatureSet nothing(10);
+  const TargetSet no_targets(10);
+  TwoStepRegistration registration(OdometryConfig{}, 10);
+  const Eigen::Isometry3d T_guess = motion(0.7, 1.0, 0.0);
+  const RegistrationResult result = registration.align(nothing, no_targets, T_guess, 0.1, 2.0);
+  REQUIRE(result.T_target_source.isApprox(T_guess, 1e-12));
+  REQUIRE(result.ground_matches == 0);
+  REQUIRE(result.information.isZero());
+}
