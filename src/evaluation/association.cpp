@@ -9,7 +9,7 @@
 
 #include "pago/core/error.hpp"
 #include "pago/core/se3.hpp"
-#include "text.hpp"
+#include "pago/core/text.hpp"
 
 namespace pago::evaluation {
 namespace {

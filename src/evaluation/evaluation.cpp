@@ -6,8 +6,8 @@
 #include <limits>
 
 #include "pago/core/error.hpp"
+#include "pago/core/text.hpp"
 #include "rotation.hpp"
-#include "text.hpp"
 
 namespace pago::evaluation {
 namespace {

@@ -6,9 +6,9 @@
 #include <limits>
 
 #include "pago/core/error.hpp"
+#include "pago/core/text.hpp"
 #include "pago/evaluation/motion.hpp"
 #include "rotation.hpp"
-#include "text.hpp"
 
 namespace pago::evaluation {
 namespace {

@@ -3,9 +3,9 @@
 #include <cmath>
 #include <string>
 
+#include "pago/core/text.hpp"
 #include "pago/evaluation/evaluation.hpp"
 #include "rotation.hpp"
-#include "text.hpp"
 
 namespace pago::evaluation {
 namespace {

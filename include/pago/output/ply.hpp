@@ -1,0 +1,22 @@
+// SPDX-FileCopyrightText: 2026 The PaGO authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <span>
+
+namespace pago::output {
+
+/// A point of a saved map; metres in the map's frame.
+struct PlyPoint {
+  float x_m = 0.0F, y_m = 0.0F, z_m = 0.0F;
+  std::uint8_t intensity = 0;
+  std::uint8_t ground = 0;  ///< kGround or kNonGround
+};
+
+/// Writes a binary little-endian PLY with the vertex properties x y z (float) intensity ground (uchar): 14
+/// bytes per point. Error when the file cannot be made or written. [set-up]
+void write_ply(const std::filesystem::path& file, std::span<const PlyPoint> points);
+
+}  // namespace pago::output

@@ -1,0 +1,60 @@
+// SPDX-FileCopyrightText: 2026 The PaGO authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <array>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "pago/core/counters.hpp"
+#include "pago/core/sources.hpp"
+#include "pago/output/latency.hpp"
+#include "pago/output/trajectory_hash.hpp"
+
+namespace pago::output {
+
+/// What adds up over the sweeps of a run. About 150 kB of histograms: keep it off small stacks. [one thread]
+/// add() is real-time safe.
+struct RunTotals {
+  std::uint64_t num_poses = 0;
+  double length_m = 0.0;  ///< of the refined poses' path
+  std::int64_t first_stamp_ns = 0, last_stamp_ns = 0;
+  std::array<std::uint64_t, 4> health{};  ///< poses by Health
+  TrajectoryHash hash;                    ///< over each pose's `first` and `refined` numbers
+  LatencyReport latency;
+
+  /// Sweeps without a pose count for latency only.
+  void add(const SweepRecord& record) noexcept;
+
+ private:
+  Eigen::Vector3d last_position_m_ = Eigen::Vector3d::Zero();
+};
+
+/// What the parts of the program know about a run when it ends. Empty counters: the source has no such thing
+/// (a KITTI folder has no packets).
+struct RunReport {
+  std::string version;      ///< of the program
+  std::string source;       ///< as the user named it
+  std::string config_toml;  ///< the complete settings of the run
+  std::vector<std::pair<std::string, std::string>>
+      facts;  ///< e.g. {"sensor", "HDL-64E S2"}, {"pose at", "end"}
+  std::optional<SourceCounters> source_counters;
+  std::optional<PacketCounters> packets;
+  std::optional<FiringCounters> firings;
+  SweepCounters sweeps;
+  double wall_s = 0.0;    ///< how long the run took
+  std::string complaint;  ///< empty, or why the run ended before its source did
+};
+
+/// run.json: everything above as one object; durations in ms.
+std::string run_json(const RunReport& report, const RunTotals& totals);
+
+/// A few lines for the terminal: sweeps, drops, length, latency per stage, where the files are.
+std::string run_summary(const RunReport& report,
+                        const RunTotals& totals,
+                        const std::filesystem::path& folder);
+
+}  // namespace pago::output

@@ -1,0 +1,109 @@
+// SPDX-FileCopyrightText: 2026 The PaGO authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <nlohmann/json.hpp>
+
+#include "pago/output/run_report.hpp"
+
+namespace pago::output {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+double ms(std::int64_t ns) {
+  return static_cast<double>(ns) * 1e-6;
+}
+
+Json json_of(const LatencyHistogram& histogram) {
+  const LatencySummary s = summarize(histogram);
+  return {{"count", s.count},
+          {"p50", ms(s.p50_ns)},
+          {"p90", ms(s.p90_ns)},
+          {"p99", ms(s.p99_ns)},
+          {"max", ms(s.max_ns)}};
+}
+
+Json json_of(const LatencyReport& latency) {
+  Json json;
+  for (std::size_t i = 0; i < kNumStages; ++i) {
+    const LatencyReport::Stage& stage = latency.stages[i];
+    if (stage.run.count() == 0) continue;
+    json[std::string(stage_name(static_cast<StageId>(i)))] = {
+        {"wait", json_of(stage.wait)}, {"run", json_of(stage.run)}, {"cpu", json_of(stage.cpu)}};
+  }
+  json["first_pose"] = json_of(latency.first_pose);
+  json["refined_pose"] = json_of(latency.refined_pose);
+  return json;
+}
+
+Json json_of(const SourceCounters& c) {
+  return {{"received", c.received},   {"delivered", c.delivered},         {"filtered", c.filtered},
+          {"truncated", c.truncated}, {"fragment_lost", c.fragment_lost}, {"malformed", c.malformed},
+          {"balanced", c.balanced()}};
+}
+
+Json json_of(const PacketCounters& c) {
+  Json bad;
+  for (std::size_t i = 1; i < c.bad.size(); ++i)
+    bad[std::string(to_string(static_cast<PacketFault>(i)))] = c.bad[i];
+  return {{"received", c.received},
+          {"decoded", c.decoded},
+          {"duplicate", c.duplicate},
+          {"late", c.late},
+          {"bad", bad},
+          {"reordered", c.reordered},
+          {"pending", c.pending},
+          {"balanced", c.balanced()}};
+}
+
+Json json_of(const FiringCounters& c) {
+  return {{"expected", c.expected}, {"decoded", c.decoded}, {"lost", c.lost}, {"balanced", c.balanced()}};
+}
+
+Json json_of(const SweepCounters& c) {
+  Json dropped;
+  for (std::size_t i = 0; i < c.dropped.size(); ++i)
+    dropped[std::string(to_string(static_cast<SweepDrop>(i)))] = c.dropped[i];
+  return {{"opened", c.opened}, {"posed", c.posed},         {"partial", c.partial},
+          {"dropped", dropped}, {"in_flight", c.in_flight}, {"balanced", c.balanced()}};
+}
+
+Json trajectory_of(const RunTotals& totals) {
+  Json health;
+  for (std::size_t i = 0; i < totals.health.size(); ++i)
+    health[std::string(to_string(static_cast<Health>(i)))] = totals.health[i];
+  return {{"poses", totals.num_poses},
+          {"length_m", totals.length_m},
+          {"first_stamp_ns", totals.first_stamp_ns},
+          {"last_stamp_ns", totals.last_stamp_ns},
+          {"hash", totals.hash.hex()},
+          {"health", health}};
+}
+
+/// null where there is nothing of the kind.
+template <typename Counters>
+Json json_of(const std::optional<Counters>& counters) {
+  return counters ? json_of(*counters) : Json();
+}
+
+}  // namespace
+
+std::string run_json(const RunReport& report, const RunTotals& totals) {
+  Json facts = Json::object();
+  for (const auto& [name, value] : report.facts) facts[name] = value;
+  const Json json = {{"version", report.version},
+                     {"source", report.source},
+                     {"complaint", report.complaint},
+                     {"wall_s", report.wall_s},
+                     {"facts", facts},
+                     {"trajectory", trajectory_of(totals)},
+                     {"sweeps", json_of(report.sweeps)},
+                     {"packets", json_of(report.packets)},
+                     {"firings", json_of(report.firings)},
+                     {"datagrams", json_of(report.source_counters)},
+                     {"latency_ms", json_of(totals.latency)},
+                     {"config", report.config_toml}};
+  // Paths need not be UTF-8.
+  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+}  // namespace pago::output

@@ -1,0 +1,62 @@
+// SPDX-FileCopyrightText: 2026 The PaGO authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "pago/output/run_recorder.hpp"
+
+#include "pago/core/error.hpp"
+
+namespace pago::output {
+
+RunRecorder::RunRecorder(const std::filesystem::path& folder,
+                         const OutputConfig& config,
+                         StageThreads threads)
+    : folder_(folder),
+      flush_interval_(std::chrono::duration_cast<Clock::duration>(
+          std::chrono::duration<double>(config.flush_interval_s))),
+      next_flush_(Clock::now() + flush_interval_),
+      first_(folder, "odometry"),
+      refined_(folder, "trajectory"),
+      latency_(folder / "latency.csv"),
+      trace_(static_cast<std::size_t>(config.trace_sweeps), threads) {}
+
+void RunRecorder::add(const SweepRecord& record) {
+  totals_.add(record);
+  trace_.add(record);
+  latency_.write(record);
+  if (record.has_pose) {
+    first_.write(record.stamp_ns, record.T_odom_sensor_first);
+    refined_.write(record.stamp_ns, record.T_odom_sensor_refined);
+  }
+  if (Clock::now() >= next_flush_) flush();
+}
+
+void RunRecorder::flush() noexcept {
+  first_.flush();
+  refined_.flush();
+  latency_.flush();
+  next_flush_ = Clock::now() + flush_interval_;
+}
+
+void RunRecorder::finish(const RunReport& report) {
+  flush();
+  end_complaints_.clear();
+  write_at_end("run.json", run_json(report, totals_));
+  if (trace_.size() != 0) write_at_end("trace.json", trace_.json());
+}
+
+void RunRecorder::write_at_end(const char* name, const std::string& text) {
+  try {
+    write_file(folder_ / name, text);
+  } catch (const Error& error) {
+    end_complaints_.emplace_back(error.what());
+  }
+}
+
+std::vector<std::string> RunRecorder::complaints() const {
+  std::vector<std::string> complaints;
+  for (const std::string& complaint : {first_.complaint(), refined_.complaint(), latency_.complaint()})
+    if (!complaint.empty()) complaints.push_back(complaint);
+  complaints.insert(complaints.end(), end_complaints_.begin(), end_complaints_.end());
+  return complaints;
+}
+
+}  // namespace pago::output

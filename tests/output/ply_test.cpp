@@ -1,0 +1,60 @@
+// SPDX-FileCopyrightText: 2026 The PaGO authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "pago/output/ply.hpp"
+
+#include <cstring>
+#include <vector>
+
+#include "output/scratch_folder.hpp"
+#include "pago/core/error.hpp"
+#include "support/catch.hpp"
+
+namespace {
+
+using namespace pago::output;
+using Catch::Matchers::Contains;
+using pago::test::contents;
+using pago::test::ScratchFolder;
+
+std::string body(const std::string& ply) {
+  const std::string end = "end_header\n";
+  return ply.substr(ply.find(end) + end.size());
+}
+
+TEST_CASE("a PLY has its points as 14 little-endian bytes each", "[output][ply]") {
+  const ScratchFolder scratch;
+  const std::vector<PlyPoint> points{{1.0F, -2.0F, 0.5F, 200, 1}, {0.0F, 0.0F, 0.0F, 0, 0}};
+  write_ply(scratch.path / "map.ply", points);
+  const std::string ply = contents(scratch.path / "map.ply");
+  CHECK_THAT(ply, Catch::Matchers::StartsWith("ply\nformat binary_little_endian 1.0\n"));
+  CHECK_THAT(ply, Contains("element vertex 2\nproperty float x\nproperty float y\nproperty float z\n"
+                           "property uchar intensity\nproperty uchar ground\nend_header\n"));
+  // 1.0 = 3f800000, -2.0 = c0000000, 0.5 = 3f000000
+  std::string expected("\x00\x00\x80\x3f\x00\x00\x00\xc0\x00\x00\x00\x3f\xc8\x01", 14);
+  expected.append(14, '\0');
+  CHECK(body(ply) == expected);
+}
+
+TEST_CASE("large maps are whole", "[output][ply]") {
+  const ScratchFolder scratch;
+  std::vector<PlyPoint> points(150'000);
+  for (std::size_t i = 0; i < points.size(); ++i) points[i].x_m = static_cast<float>(i);
+  write_ply(scratch.path / "map.ply", points);
+  const std::string bytes = body(contents(scratch.path / "map.ply"));
+  REQUIRE(bytes.size() == 14 * points.size());
+  for (const std::size_t i : {0U, 65'535U, 65'536U, 131'072U, 149'999U}) {
+    float x_m = 0.0F;
+    std::memcpy(&x_m, bytes.data() + 14 * i, sizeof x_m);
+    CHECK(x_m == static_cast<float>(i));
+  }
+}
+
+TEST_CASE("an empty map is a valid file, a full disk an Error", "[output][ply]") {
+  const ScratchFolder scratch;
+  write_ply(scratch.path / "map.ply", {});
+  CHECK_THAT(contents(scratch.path / "map.ply"), Contains("element vertex 0\n"));
+  CHECK_THROWS_WITH(write_ply("/dev/full", std::vector<PlyPoint>(10)),
+                    Contains("/dev/full: cannot be written"));
+}
+
+}  // namespace
