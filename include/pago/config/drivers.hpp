@@ -1,0 +1,53 @@
+// SPDX-FileCopyrightText: 2026 The PaGO authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+#include "pago/config/describe.hpp"
+
+namespace pago {
+
+/// [packets] Which datagrams of a capture or a socket are the sensor's. Everything else is counted as
+/// filtered.
+struct PacketFilterConfig {
+  int port = 2368;
+  std::string source_address;
+};
+
+template <typename Visitor>
+void describe(Visitor& v, PacketFilterConfig& c) {
+  v("port", c.port, within(0, 65535), "UDP destination port of the sensor's data; 0 takes every port");
+  v("source_address", c.source_address,
+    "IPv4 address of the sensor, to tell several apart; empty takes every sender");
+}
+
+/// Whether the returns of a KITTI scan were already brought into the frame of one instant.
+enum class KittiCompensation : std::uint8_t {
+  kAuto,  ///< by the folder's layout: the odometry benchmark's scans are, raw recordings are not
+  kYes,
+  kNo
+};
+
+/// [kitti] How a folder of KITTI scans is read.
+struct KittiConfig {
+  KittiCompensation compensated = KittiCompensation::kAuto;
+  double vertical_correction_deg = 0.0;
+  int first = 0;
+  int count = 0;
+};
+
+template <typename Visitor>
+void describe(Visitor& v, KittiConfig& c) {
+  v("compensated", c.compensated,
+    choices(std::pair{"auto", KittiCompensation::kAuto}, std::pair{"yes", KittiCompensation::kYes},
+            std::pair{"no", KittiCompensation::kNo}),
+    "whether scans are free of motion distortion already; auto: odometry layout yes, raw layout no");
+  v("vertical_correction_deg", c.vertical_correction_deg, within(-1.0, 1.0),
+    "turns every return up by this; 0.205 mends the odometry benchmark's known error, raw data needs none");
+  v("first", c.first, within(0, 10000000), "scans skipped at the start of the folder");
+  v("count", c.count, within(0, 10000000), "scans read after those; 0 reads all");
+}
+
+}  // namespace pago
