@@ -1,0 +1,174 @@
+// SPDX-FileCopyrightText: 2026 The PaGO authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "pago/kitti/kitti_source.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "columns.hpp"
+#include "folder.hpp"
+#include "rings.hpp"
+#include "scan_file.hpp"
+
+namespace pago {
+namespace {
+
+using kitti::FilePoint;
+using kitti::kNoTurn;
+
+/// Coordinates that arithmetic cannot spoil; no LiDAR sees 1,000 km.
+bool is_usable(const FilePoint& p) noexcept {
+  constexpr float kAbsurdM = 1e6F;
+  return std::abs(p.x_m) < kAbsurdM && std::abs(p.y_m) < kAbsurdM && std::abs(p.z_m) < kAbsurdM;
+}
+
+/// How far the head has turned when it looks at the point: clockwise from the rear, [0, 1] revolutions.
+float turn_of(const FilePoint& p) noexcept {
+  if (!is_usable(p) || (p.x_m == 0.0F && p.y_m == 0.0F)) return kNoTurn;
+  constexpr float kRevPerRad = 0.5F * std::numbers::inv_pi_v<float>;
+  return std::clamp(0.5F - std::atan2(p.y_m, p.x_m) * kRevPerRad, 0.0F, 1.0F);
+}
+
+/// What brings a file's intensities to 0-255: KITTI's own are in [0, 1], but converted sets are around.
+float intensity_scale(std::span<const FilePoint> points) noexcept {
+  const bool is_byte = std::ranges::any_of(
+      points, [](const FilePoint& p) { return std::isfinite(p.intensity) && p.intensity > 1.5F; });
+  return is_byte ? 1.0F : 255.0F;
+}
+
+std::uint8_t to_byte(float intensity) noexcept {
+  return intensity > 0.0F ? static_cast<std::uint8_t>(std::min(255.0F, intensity) + 0.5F) : std::uint8_t{0};
+}
+
+void copy_points(std::span<const FilePoint> points, Sweep& sweep, std::span<float> turn) noexcept {
+  const float scale = intensity_scale(points);
+  sweep.size = static_cast<std::uint32_t>(points.size());
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const FilePoint& p = points[i];
+    turn[i] = turn_of(p);
+    sweep.x_m[i] = is_usable(p) ? p.x_m : 0.0F;
+    sweep.y_m[i] = is_usable(p) ? p.y_m : 0.0F;
+    sweep.z_m[i] = is_usable(p) ? p.z_m : 0.0F;
+    sweep.intensity[i] = to_byte(p.intensity * scale);
+  }
+}
+
+/// Turns every point up about the horizontal axis across its beam; its azimuth and range stay.
+void raise(Sweep& sweep, double angle_deg) noexcept {
+  if (angle_deg == 0.0) return;
+  const double angle_rad = angle_deg * std::numbers::pi / 180.0;
+  const auto cosine = static_cast<float>(std::cos(angle_rad)), sine = static_cast<float>(std::sin(angle_rad));
+  for (std::size_t i = 0; i < sweep.size; ++i) {
+    const float x = sweep.x_m[i], y = sweep.y_m[i], z = sweep.z_m[i];
+    const float across = std::sqrt(x * x + y * y);
+    if (across == 0.0F) continue;
+    const float scale = (across * cosine - z * sine) / across;
+    sweep.x_m[i] = x * scale;
+    sweep.y_m[i] = y * scale;
+    sweep.z_m[i] = z * cosine + across * sine;
+  }
+}
+
+void set_times(Sweep& sweep, std::span<const float> turn) noexcept {
+  const bool is_compensated = sweep.header.has(kCompensated);
+  const auto period_ns = static_cast<double>(sweep.header.end_ns - sweep.header.start_ns);
+  for (std::size_t i = 0; i < turn.size(); ++i) {
+    const double offset_ns = is_compensated ? 0.0 : static_cast<double>(std::max(0.0F, turn[i])) * period_ns;
+    sweep.time_offset_ns[i] = static_cast<std::int32_t>(offset_ns);
+  }
+}
+
+SweepHeader header_of(const kitti::Scan& scan, bool is_compensated) noexcept {
+  SweepHeader header;
+  header.sequence = scan.sequence;
+  header.start_ns = header.first_arrival_ns = scan.start_ns;
+  header.end_ns = header.last_arrival_ns = scan.end_ns;
+  header.num_columns = header.firings_received = kKittiColumns;
+  header.rotation_rev = 1.0F;
+  header.flags = (is_compensated ? kCompensated : 0U) | (scan.is_after_gap ? kAfterGap : 0U);
+  return header;
+}
+
+/// The end of a recording may come in the middle of a rotation.
+void mark_if_cut_short(SweepHeader& header, std::span<const float> turn) noexcept {
+  header.rotation_rev = std::max(0.0F, *std::ranges::max_element(turn));
+  if (header.rotation_rev < 0.9F) header.flags |= kPartialEnd;
+}
+
+}  // namespace
+
+struct KittiSource::State {
+  State(const std::filesystem::path& path, const KittiConfig& settings)
+      : folder(kitti::open_folder(path, settings)),
+        is_compensated(settings.compensated == KittiCompensation::kAuto
+                           ? !folder.is_raw
+                           : settings.compensated == KittiCompensation::kYes),
+        vertical_correction_deg(settings.vertical_correction_deg),
+        reader(kMaxPoints),
+        turn(kMaxPoints),
+        columns(kMaxPoints, kKittiColumns) {}
+
+  kitti::Folder folder;
+  bool is_compensated;
+  double vertical_correction_deg;
+  kitti::ScanReader reader;
+  AlignedArray<float> turn;  // per point, see kitti::RingFinder
+  kitti::RingFinder rings;
+  kitti::ColumnPlacer columns;
+
+  std::size_t next = 0;  // in folder.scans; stays on the one with a fault
+  kitti::ScanFault fault;
+  std::uint64_t guessed_rings = 0, homeless_returns = 0;
+};
+
+KittiSource::KittiSource(const std::filesystem::path& folder, const KittiConfig& config)
+    : state_(std::make_unique<State>(folder, config)) {}
+
+KittiSource::~KittiSource() = default;
+
+bool KittiSource::fill(Sweep& sweep) noexcept {
+  State& state = *state_;
+  if (state.next == state.folder.scans.size() || state.fault.kind != kitti::ScanFault::Kind::kNone)
+    return false;
+  const kitti::Scan& scan = state.folder.scans[state.next];
+  const std::span<const FilePoint> points =
+      state.reader.read(scan.path.c_str(), sweep.capacity(), state.fault);
+  if (points.empty()) return false;
+  ++state.next;
+
+  const std::span<float> turn = state.turn.first(points.size());
+  sweep.header = header_of(scan, state.is_compensated);
+  copy_points(points, sweep, turn);
+  if (state.folder.is_raw && scan.is_last_of_folder) mark_if_cut_short(sweep.header, turn);
+  set_times(sweep, turn);
+  state.guessed_rings += state.rings.assign(sweep, turn) == kitti::RingSource::kWraps ? 0U : 1U;
+  state.homeless_returns += state.columns.place(sweep, turn);
+  raise(sweep, state.vertical_correction_deg);
+  return true;
+}
+
+Progress KittiSource::progress() const noexcept {
+  return {static_cast<double>(state_->next), static_cast<double>(state_->folder.scans.size())};
+}
+
+std::string KittiSource::complaint() const {
+  const State& state = *state_;
+  if (state.fault.kind == kitti::ScanFault::Kind::kNone) return {};
+  return describe(state.fault, state.folder.scans[state.next].path);
+}
+
+bool KittiSource::is_compensated() const noexcept {
+  return state_->is_compensated;
+}
+bool KittiSource::has_stamps() const noexcept {
+  return state_->folder.has_stamps;
+}
+std::uint64_t KittiSource::scans_with_guessed_rings() const noexcept {
+  return state_->guessed_rings;
+}
+std::uint64_t KittiSource::returns_without_cell() const noexcept {
+  return state_->homeless_returns;
+}
+
+}  // namespace pago

@@ -1,0 +1,76 @@
+// SPDX-FileCopyrightText: 2026 The PaGO authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+
+#include "pago/config/drivers.hpp"
+#include "pago/core/sources.hpp"
+
+namespace pago {
+
+/// Columns of a KITTI scan's range image. The files have no firing index; a revolution of KITTI's HDL-64E has
+/// 2,083 (10 Hz) to 2,165 firings. Two per cent more give room where compensated scans are crowded, and leave
+/// two per cent of the cells between neighbours empty (measured on 16 scans: half of the returns lie within
+/// 0.34 columns of their azimuth, 99 % within 6.3, all within 15).
+inline constexpr int kKittiColumns = 2208;
+
+/// Seconds in KITTI's times.txt count from here: midnight (UTC) of the day of the first recordings,
+/// 2011-09-26.
+inline constexpr std::int64_t kKittiEpochNs = 1'316'995'200'000'000'000;
+
+/// Reads folders of KITTI scans (Geiger et al. 2013), one sweep per file, in the order of the file numbers:
+///   odometry benchmark   FOLDER/velodyne/000000.bin ...   stamps FOLDER/times.txt (seconds)
+///   raw recordings       FOLDER/velodyne_points/data/0000000000.bin ...   stamps .../timestamps.txt (dates)
+/// or the innermost folder itself. Without a stamp file the stamps are 103.6 ms apart.
+///
+/// What a file's points become (little-endian float32 x, y, z, intensity each):
+/// - points: every one stays, in file order, so that masks have one byte per point. Those that are not finite
+///   (or beyond 1,000 km) become 0, 0, 0; these and points on the vertical axis are in no cell of the range
+///   image.
+/// - intensity: [0, 1] becomes 0-255; files that hold 0-255 are recognised and kept.
+/// - ring: the file goes ring by ring from the top, each with rising azimuth; 63 wraps tell the rings apart.
+///   Files with other counts (cropped, filtered, in another order) get rings by elevation, which is right to
+///   within one ring for 96 % of the returns; scans_with_guessed_rings() counts them.
+/// - column: by azimuth, clockwise from the rear, where KITTI's rotations start. Returns that claim the same
+///   cell move to free ones beside it, all by as little as possible and never past each other, because
+///   smoothness along a ring needs their order.
+/// - time: stamps are mid-scan, the rotation lasts from half a period before to half a period after. Returns
+///   of uncompensated scans get the time of their azimuth; others get zero, and the sweep kCompensated.
+/// - header.sequence counts file numbers, so that missing files leave a gap (and kAfterGap). The last scan of
+///   a raw recording is often cut short: below 90 % of a rotation it is kPartialEnd.
+///
+/// [set-up] the constructor; [ingest thread] all the rest. fill() reads a file, else it is real-time safe.
+class KittiSource final : public SweepSource {
+ public:
+  /// More points than this in a file are refused: 5 Hz dual return.
+  static constexpr std::size_t kMaxPoints = 460'800;
+
+  /// Throws Error if there are no scans, or the stamp file is damaged or does not match them.
+  explicit KittiSource(const std::filesystem::path& folder, const KittiConfig& config = {});
+  ~KittiSource() override;
+
+  bool fill(Sweep& sweep) noexcept override;
+  /// In scans.
+  Progress progress() const noexcept override;
+  /// A file that cannot be read, is empty, has too many points or ends inside one. [any but the hot path]
+  std::string complaint() const override;
+
+  /// Whether the sweeps are flagged kCompensated (config, or by the layout).
+  bool is_compensated() const noexcept;
+  /// False: no stamp file was found.
+  bool has_stamps() const noexcept;
+  /// Scans so far whose rings are not certain.
+  std::uint64_t scans_with_guessed_rings() const noexcept;
+  /// Returns so far that found no cell: more than kKittiColumns in one ring.
+  std::uint64_t returns_without_cell() const noexcept;
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
+}  // namespace pago
