@@ -7,8 +7,8 @@
 
 namespace pago {
 
-/// A stage with its time on each sweep written down: stages themselves know no clock. Two clock reads per call and one
-/// system call of 0.6 us for the thread's CPU time.
+/// A stage with its time on each sweep written down: stages themselves know no clock. Two clock reads per
+/// call and one system call of 0.6 us for the thread's CPU time.
 template <Stage S>
 class Timed {
  public:

@@ -1,0 +1,68 @@
+// SPDX-FileCopyrightText: 2026 The PaGO authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <atomic>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "pago/config/config.hpp"
+#include "pago/core/counters.hpp"
+#include "pago/core/sources.hpp"
+#include "pago/hdl64/calibration.hpp"
+#include "pago/output/sweep_record.hpp"
+
+namespace pago {
+
+/// Learns what comes out of the pipeline while it runs, on the thread that called run(); not real-time. What
+/// it throws ends the run and comes out of run().
+class Observer {
+ public:
+  virtual ~Observer() = default;
+  /// A sweep has gone through all stages. In order, one call for each sweep that was handed on.
+  virtual void on_sweep(const output::SweepRecord& record) = 0;
+  /// After each sweep, and at least ten times a second while nothing comes.
+  virtual void on_progress(const Progress&) {}
+};
+
+/// How a run went. All counters are final and balanced.
+struct RunSummary {
+  SourceCounters source;   ///< packet runs only
+  PacketCounters packets;  ///< packet runs only
+  FiringCounters firings;  ///< packet runs only
+  SweepCounters sweeps;
+  std::uint64_t incomplete_sweeps = 0;  ///< posed, but more than 10 % of the rotation was missing
+  std::string sensor;                   ///< what the stream came from, e.g. "HDL-64E S2/S3, single return"
+  std::vector<std::string> threads;     ///< what each thread asked for and got
+  std::string complaint;  ///< the source's own words if it ended early; what came before was used
+  std::string failure;    ///< why the run could not be completed; empty if it was
+  bool interrupted = false;
+
+  bool balanced() const noexcept {
+    return source.balanced() && packets.balanced() && firings.balanced() && sweeps.balanced();
+  }
+};
+
+/// The way from packets or scans to poses, on three pinned threads (pipeline.cpp shows it in one screen).
+/// Made once with everything it will need; runs once. [set-up] constructor and run() allocate and may throw
+/// Error; the threads that run() starts allocate nothing.
+class Pipeline {
+ public:
+  explicit Pipeline(const Config& config);
+  ~Pipeline();
+
+  /// Works until the source is exhausted or `stop` becomes true. A replay: the source waits for the pipeline,
+  /// nothing is dropped, and the outcome depends on the input and the configuration alone.
+  RunSummary run(PacketSource& source,
+                 const hdl64::Calibration& calibration,
+                 Observer& observer,
+                 const std::atomic<bool>& stop);
+  RunSummary run(SweepSource& source, Observer& observer, const std::atomic<bool>& stop);
+
+ private:
+  struct Parts;
+  std::unique_ptr<Parts> parts_;
+};
+
+}  // namespace pago

@@ -1,0 +1,22 @@
+// SPDX-FileCopyrightText: 2026 The PaGO authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <functional>
+
+namespace CLI {
+class App;
+}
+
+namespace pago::app {
+
+/// What the command line asks for; returns the exit code. Runs after parsing, so that a mistake anywhere on
+/// the command line is found before any work starts.
+using Action = std::function<int()>;
+
+/// Each adds one subcommand and, when it is chosen, sets `action`.
+void add_run_command(CLI::App& program, Action& action);
+void add_evaluate_command(CLI::App& program, Action& action);
+void add_config_command(CLI::App& program, Action& action);
+
+}  // namespace pago::app

@@ -1,0 +1,44 @@
+// SPDX-FileCopyrightText: 2026 The PaGO authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <CLI/CLI.hpp>
+#include <iostream>
+
+#include "commands.hpp"
+#include "pago/core/error.hpp"
+
+namespace {
+
+constexpr int kFailure = 1, kBadInput = 2;
+
+int parse_and_act(int argc, char** argv) {
+  CLI::App program("PaGO: LiDAR odometry and mapping for the Velodyne HDL-64E", "pago");
+  program.set_version_flag("--version", "pago " PAGO_VERSION);
+  program.require_subcommand(1);
+  pago::app::Action action;
+  pago::app::add_run_command(program, action);
+  pago::app::add_evaluate_command(program, action);
+  pago::app::add_config_command(program, action);
+  try {
+    program.parse(argc, argv);
+  } catch (const CLI::Success& wanted) {  // --help, --version
+    return program.exit(wanted);
+  } catch (const CLI::ParseError& mistake) {
+    std::cerr << "pago: " << mistake.what() << " (see pago --help)\n";
+    return kBadInput;
+  }
+  return action();
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  try {
+    return parse_and_act(argc, argv);
+  } catch (const pago::Error& error) {
+    std::cerr << "pago: " << error.what() << '\n';
+    return kBadInput;
+  } catch (const std::exception& error) {
+    std::cerr << "pago: " << error.what() << '\n';
+    return kFailure;
+  }
+}

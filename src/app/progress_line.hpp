@@ -1,0 +1,32 @@
+// SPDX-FileCopyrightText: 2026 The PaGO authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <chrono>
+#include <cstdint>
+
+#include "pago/core/sources.hpp"
+#include "pago/output/sweep_record.hpp"
+
+namespace pago::app {
+
+/// One line on the terminal that says how far a run has come, written anew twice a second and wiped at the
+/// end. Silent when standard error is no terminal.
+class ProgressLine {
+ public:
+  ProgressLine();
+  ~ProgressLine();
+
+  void count(const output::SweepRecord& record) noexcept;
+  void show(const Progress& progress);
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  bool is_terminal_;
+  Clock::time_point start_ = Clock::now(), next_ = start_;
+  std::uint64_t sweeps_ = 0;
+  Health health_ = Health::kInit;
+  bool is_shown_ = false;
+};
+
+}  // namespace pago::app

@@ -1,0 +1,25 @@
+// SPDX-FileCopyrightText: 2026 The PaGO authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "settings.hpp"
+
+#include <CLI/CLI.hpp>
+
+#include "pago/config/load.hpp"
+
+namespace pago::app {
+
+void SettingsOptions::add_to(CLI::App& command) {
+  command.add_option("--config", file, "settings file (TOML); `pago config` prints one")->type_name("FILE");
+  command
+      .add_option("--set", assignments, "change one setting, e.g. --set ground.method=lego; may be repeated")
+      ->type_name("KEY=VALUE")
+      ->allow_extra_args(false);
+}
+
+Config SettingsOptions::load() const {
+  Config config = file.empty() ? Config{} : load_config(file);
+  for (const std::string& assignment : assignments) set(config, assignment);
+  return config;
+}
+
+}  // namespace pago::app

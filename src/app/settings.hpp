@@ -1,0 +1,26 @@
+// SPDX-FileCopyrightText: 2026 The PaGO authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "pago/config/config.hpp"
+
+namespace CLI {
+class App;
+}
+
+namespace pago::app {
+
+/// The options by which every command that works with settings takes them; later ones win.
+struct SettingsOptions {
+  std::string file;
+  std::vector<std::string> assignments;
+
+  void add_to(CLI::App& command);
+  /// The defaults, changed by the file and then by the assignments. Throws Error; not validated yet.
+  Config load() const;
+};
+
+}  // namespace pago::app

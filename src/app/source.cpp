@@ -1,0 +1,53 @@
+// SPDX-FileCopyrightText: 2026 The PaGO authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "source.hpp"
+
+#include <array>
+#include <optional>
+
+#include "pago/core/error.hpp"
+#include "pago/kitti/kitti_source.hpp"
+#include "pago/pcap/pcap_source.hpp"
+
+namespace pago::app {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+/// The rest of `name` after `prefix:`, if it starts so.
+std::optional<std::string> after(const std::string& name, const std::string& prefix) {
+  if (!name.starts_with(prefix + ":")) return std::nullopt;
+  return name.substr(prefix.size() + 1);
+}
+
+/// A calibration beside the capture, by the names under which they are usually kept.
+std::string calibration_beside(const fs::path& capture) {
+  for (const char* name : {"calibration.xml", "calibration.yaml", "calibration.yml", "db.xml", "db.yaml"}) {
+    const fs::path file = capture.parent_path() / name;
+    if (fs::exists(file)) return file.string();
+  }
+  throw Error(capture.string(), "no calibration given, and none beside the capture",
+              "give the unit's own db.xml or yaml with --calibration: without it every range is wrong by "
+              "about a metre");
+}
+
+OpenCapture open_capture(const fs::path& file, Config& config) {
+  OpenCapture open{std::make_unique<PcapSource>(file, config.packets), {}};
+  if (config.hdl64.calibration.empty()) config.hdl64.calibration = calibration_beside(file);
+  open.calibration = hdl64::load_calibration(config.hdl64.calibration, config.hdl64.vertical_offset);
+  return open;
+}
+
+}  // namespace
+
+OpenSource open_source(const std::string& name, Config& config) {
+  if (const auto file = after(name, "pcap")) return open_capture(*file, config);
+  const auto folder = after(name, "kitti");
+  if (folder || fs::is_directory(name)) {
+    return OpenFolder{std::make_unique<KittiSource>(folder.value_or(name), config.kitti)};
+  }
+  return open_capture(name, config);
+}
+
+}  // namespace pago::app

@@ -1,0 +1,31 @@
+// SPDX-FileCopyrightText: 2026 The PaGO authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <variant>
+
+#include "pago/config/config.hpp"
+#include "pago/core/sources.hpp"
+#include "pago/hdl64/calibration.hpp"
+
+namespace pago::app {
+
+/// Packets, with the calibration that they need.
+struct OpenCapture {
+  std::unique_ptr<PacketSource> packets;
+  hdl64::Calibration calibration;
+};
+struct OpenFolder {
+  std::unique_ptr<SweepSource> sweeps;
+};
+using OpenSource = std::variant<OpenCapture, OpenFolder>;
+
+/// Opens what the user named: `drive.pcap`, `kitti:sequences/00`; the prefix may be left out, a folder is
+/// KITTI's and a file a capture. For a capture without a configured calibration the one that lies beside it
+/// is taken, and set in `config`, so that what was used is on record. Throws Error.
+OpenSource open_source(const std::string& name, Config& config);
+
+}  // namespace pago::app
