@@ -109,7 +109,7 @@ TEST_CASE("without de-skew the heading of a turning drive is several times worse
     OdometryConfig config;
     config.deskew = deskew;
     Drive drive(config);
-    drive.next(twist(10.0, 0.0));
+    drive.next(twist(10.0, 0.5));
     const Eigen::Isometry3d T_world_first = drive.T_world_start;
     for (int i = 0; i < 8; ++i) drive.next(twist(10.0, 0.5));
     return log_se3(drive.T_first_last(T_world_first).inverse() * drive.sweep.estimate.T_odom_sensor_first)
