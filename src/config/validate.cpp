@@ -1,5 +1,10 @@
 // SPDX-FileCopyrightText: 2026 The PaGO authors
 // SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <span>
+
 #include "pago/config/load.hpp"
 #include "pago/core/error.hpp"
 #include "settings.hpp"
@@ -14,10 +19,30 @@ struct Rule {
   std::array<std::string_view, 2> keys;
 };
 
+bool are_whole(std::span<const double> numbers) {
+  return std::ranges::all_of(numbers, [](double number) { return number == std::floor(number); });
+}
+
 constexpr std::array kRules{
     Rule{[](const Config& c) { return c.hdl64.min_range_m < c.hdl64.max_range_m; },
          "the sensor's nearest range must be below its farthest",
          {"hdl64.min_range_m", "hdl64.max_range_m"}},
+    Rule{[](const Config& c) { return c.ground.patchwork.min_range_m < c.ground.patchwork.max_range_m; },
+         "Patchwork's zones must begin before they end",
+         {"ground.patchwork.min_range_m", "ground.patchwork.max_range_m"}},
+    Rule{[](const Config& c) {
+           return are_whole(c.ground.patchwork.zone_rings) && are_whole(c.ground.patchwork.zone_sectors);
+         },
+         "Patchwork's zones must be divided by whole numbers",
+         {"ground.patchwork.zone_rings", "ground.patchwork.zone_sectors"}},
+    Rule{[](const Config& c) {
+           return c.features.clustering.min_points_tall <= c.features.clustering.min_points;
+         },
+         "a tall segment cannot be asked for more returns than any segment",
+         {"features.clustering.min_points_tall", "features.clustering.min_points"}},
+    Rule{[](const Config& c) { return c.features.sharp_edges_per_sector <= c.features.edges_per_sector; },
+         "the sharp edges are the first of the edges and cannot be more",
+         {"features.sharp_edges_per_sector", "features.edges_per_sector"}},
 };
 
 std::string values_text(const config::Settings& settings, const Rule& rule) {

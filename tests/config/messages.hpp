@@ -19,4 +19,8 @@ std::string complaint_of(Call call) {
   return {};
 }
 
+inline bool contains(const std::string& text, const std::string& part) {
+  return text.find(part) != std::string::npos;
+}
+
 }  // namespace pago::test

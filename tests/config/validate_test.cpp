@@ -35,5 +35,23 @@ TEST_CASE("settings that contradict each other are refused with both values", "[
         "hdl64.max_range_m is 5.0)");
 }
 
+TEST_CASE("every rule refuses what breaks it", "[config][validate]") {
+  const auto broken_by = [](void (*change)(Config&)) {
+    Config config;
+    change(config);
+    return complaint_about(config);
+  };
+  using test::contains;
+  CHECK(contains(
+      broken_by([](Config& c) { c.ground.patchwork.min_range_m = c.ground.patchwork.max_range_m = 9.0; }),
+      "must begin before they end (ground.patchwork.min_range_m is 9.0"));
+  CHECK(
+      contains(broken_by([](Config& c) { c.ground.patchwork.zone_rings[2] = 3.5; }), "[2.0, 4.0, 3.5, 4.0]"));
+  CHECK(contains(broken_by([](Config& c) { c.ground.patchwork.zone_sectors[0] = 16.1; }), "whole numbers"));
+  CHECK(contains(broken_by([](Config& c) { c.features.clustering.min_points_tall = 31; }), "is 31"));
+  CHECK(contains(broken_by([](Config& c) { c.features.edges_per_sector = 1; }),
+                 "features.edges_per_sector is 1"));
+}
+
 }  // namespace
 }  // namespace pago

@@ -2,9 +2,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "pago/config/assembly.hpp"
+#include "pago/config/drivers.hpp"
+#include "pago/config/features.hpp"
 #include "pago/config/ground.hpp"
 #include "pago/config/hdl64.hpp"
 #include "pago/config/mount.hpp"
+#include "pago/config/odometry.hpp"
+#include "pago/config/output.hpp"
+#include "pago/config/pipeline.hpp"
 
 namespace pago {
 
@@ -12,15 +18,29 @@ namespace pago {
 /// or from files and `key=value` words (config/load.hpp). Plain data: copy freely.
 struct Config {
   Mount mount;
+  PacketFilterConfig packets;
+  KittiConfig kitti;
   Hdl64Config hdl64;
+  AssemblyConfig assembly;
   GroundConfig ground;
+  FeaturesConfig features;
+  OdometryConfig odometry;
+  PipelineConfig pipeline;
+  OutputConfig output;
 };
 
 template <typename Visitor>
 void describe(Visitor& v, Config& c) {
   v.section("mount", c.mount, "how the sensor sits on the vehicle");
+  v.section("packets", c.packets, "which datagrams of a socket or a capture are the sensor's");
+  v.section("kitti", c.kitti, "how a folder of KITTI scans is read");
   v.section("hdl64", c.hdl64, "the sensor: its calibration, and how its packets are read");
+  v.section("assembly", c.assembly, "packets into sweeps");
   v.section("ground", c.ground, "which returns the vehicle could stand on");
+  v.section("features", c.features, "edges and planar points");
+  v.section("odometry", c.odometry, "the motion from one sweep to the next");
+  v.section("pipeline", c.pipeline, "threads");
+  v.section("output", c.output, "what a run leaves behind");
 }
 
 }  // namespace pago
