@@ -41,7 +41,7 @@ constexpr double kMaxNearDifference_m =
 constexpr std::size_t kMaxFileBytes = 4 << 20;  ///< real ones have 20 to 50 kB
 
 std::string short_number(double value) {
-  std::array<char, 32> text;
+  std::array<char, 32> text{};
   const int size = std::snprintf(text.data(), text.size(), "%.6g", value);
   return {text.data(), static_cast<std::size_t>(size)};
 }
@@ -191,7 +191,7 @@ std::string at_line(const std::string& name, int line) {
 }
 
 std::array<std::uint8_t, 64> rank_rings(const std::array<LaserCalibration, 64>& lasers) noexcept {
-  std::array<std::uint8_t, 64> order;
+  std::array<std::uint8_t, 64> order{};
   std::iota(order.begin(), order.end(), std::uint8_t{0});
   std::sort(order.begin(), order.end(), [&lasers](std::uint8_t a, std::uint8_t b) {
     return lasers[a].vertical_rad != lasers[b].vertical_rad ? lasers[a].vertical_rad < lasers[b].vertical_rad

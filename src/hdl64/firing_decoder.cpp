@@ -74,7 +74,7 @@ void FiringDecoder::decode(const PacketView& packet,
                            int firing,
                            const Rotation& rotation,
                            FiringReturns& out) const noexcept {
-  FiringLanes lanes;
+  FiringLanes lanes;  // NOLINT(*-member-init): the steps below write every entry that later ones read
   fastest::unpack(packet.slots(2 * firing), lanes.raw.data(), lanes.intensity.data());
   fastest::unpack(packet.slots(2 * firing + 1), lanes.raw.data() + kLasersPerBlock,
                   lanes.intensity.data() + kLasersPerBlock);
@@ -122,7 +122,8 @@ void FiringDecoder::correct_intensity(FiringLanes& __restrict lanes) const noexc
     float value = static_cast<float>(lanes.intensity[i]) + added;
     value = value < t.min_intensity[i] ? t.min_intensity[i] : value;
     value = value > t.max_intensity[i] ? t.max_intensity[i] : value;
-    lanes.intensity[i] = static_cast<std::int32_t>(value + 0.5F);
+    // value >= 0; lround() would keep this loop from becoming vector code
+    lanes.intensity[i] = static_cast<std::int32_t>(value + 0.5F);  // NOLINT(bugprone-incorrect-roundings)
   }
 }
 

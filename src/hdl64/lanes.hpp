@@ -30,7 +30,7 @@ namespace portable {
 /// even behind the packet's last slot is still the packet's (its trailer).
 inline void unpack(const std::uint8_t* slots, std::int32_t* raw, std::int32_t* intensity) noexcept {
   for (std::size_t j = 0; j < kLasersPerBlock; ++j) {
-    std::uint32_t word;
+    std::uint32_t word = 0;
     std::memcpy(&word, slots + 3 * j, sizeof word);
     raw[j] = static_cast<std::int32_t>(word & 0xFFFFU);
     intensity[j] = static_cast<std::int32_t>(word >> 16U & 0xFFU);

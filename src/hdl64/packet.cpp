@@ -7,7 +7,7 @@ namespace {
 
 // Flag and azimuth of a block, as one little-endian word.
 std::uint32_t block_head(std::span<const std::uint8_t> payload, int block) noexcept {
-  std::uint32_t head;
+  std::uint32_t head = 0;
   std::memcpy(&head, payload.data() + static_cast<std::size_t>(block) * kBlockBytes, sizeof head);
   return head;
 }

@@ -11,7 +11,7 @@ namespace pago::hdl64 {
 namespace {
 
 std::uint16_t u16(std::span<const std::uint8_t> packet, std::size_t at) noexcept {
-  std::uint16_t value;
+  std::uint16_t value = 0;
   std::memcpy(&value, packet.data() + at, sizeof value);
   return value;
 }

@@ -4,7 +4,9 @@
 
 #include <vector>
 
+#include "support/capture.hpp"
 #include "support/catch.hpp"
+#include "support/data.hpp"
 #include "support/packet_builder.hpp"
 
 using namespace pago;
@@ -66,4 +68,18 @@ TEST_CASE("the view reads each field from its place on the wire", "[hdl64][packe
   CHECK(view.stamp_us() == 0x80000004U);
   CHECK(view.status_type() == 'V');
   CHECK(view.status_value() == 0x47);
+}
+
+TEST_CASE("damaged packets of a capture are found, and no others", "[hdl64][packet]") {
+  PAGO_DATA_OR_SKIP(folder, "packets/variants");
+  const auto faults_in = [&folder = folder](const char* name) {
+    std::array<int, static_cast<std::size_t>(PacketFault::kCount)> count{};
+    for (const auto& packet : test::read_capture(folder / name))
+      ++count[static_cast<std::size_t>(check_packet(packet.payload))];
+    return count;
+  };
+  using Count = std::array<int, static_cast<std::size_t>(PacketFault::kCount)>;
+  CHECK(faults_in("base.pcap") == Count{720, 0, 0, 0, 0});
+  // Every 50th has a wrong flag, every 50th an azimuth of 400 degrees (EXPECT.tsv: 691 valid).
+  CHECK(faults_in("corrupt.pcap") == Count{691, 0, 15, 14, 0});
 }

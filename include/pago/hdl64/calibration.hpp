@@ -40,7 +40,7 @@ struct Calibration {
 /// leave out gets its default: distance step 2 mm, near point as the far one, offsets and focal figures 0,
 /// intensities 0 to 255. Throws Error with file and line for an unreadable, truncated or implausible file and
 /// for other sensors' files, which it names.
-Calibration load_calibration(const std::filesystem::path& file, VerticalOffset vertical_offset);
+Calibration load_calibration(const std::filesystem::path& path, VerticalOffset vertical_offset);
 
 /// [any thread] Rank of each laser by vertical angle, 0 lowest; equal ones by id.
 std::array<std::uint8_t, 64> rank_rings(const std::array<LaserCalibration, 64>& lasers) noexcept;

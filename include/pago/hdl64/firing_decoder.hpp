@@ -75,8 +75,8 @@ class FiringDecoder {
   void place(const Rotation& rotation, FiringLanes& lanes) const noexcept;
   void correct_intensity(FiringLanes& lanes) const noexcept;
 
-  LaserTable table_;
-  ValidRange valid_;
+  LaserTable table_{};
+  ValidRange valid_{};
   float distance_lsb_m_;
   bool corrects_intensity_ = false;
 };

@@ -47,7 +47,7 @@ class PacketView {
   const std::uint8_t* slots(int block_index) const noexcept { return bytes_.data() + block(block_index) + 4; }
   /// Microseconds since the top of the hour by the device's clock.
   std::uint32_t stamp_us() const noexcept {
-    std::uint32_t value;
+    std::uint32_t value = 0;
     std::memcpy(&value, bytes_.data() + 1200, sizeof value);
     return value;
   }
@@ -61,7 +61,7 @@ class PacketView {
            3 * static_cast<std::size_t>(laser % kLasersPerBlock);
   }
   std::uint16_t u16(std::size_t at) const noexcept {
-    std::uint16_t value;
+    std::uint16_t value = 0;
     std::memcpy(&value, bytes_.data() + at, sizeof value);
     return value;
   }
