@@ -24,7 +24,7 @@ struct PointStatistics {
 };
 
 /// Of the points inside the half-space. The sums are taken about `origin`, in float: choose it near the
-/// points (within 10 m keeps the covariance good to 1e-5 m^2).
+/// points (a few metres away the covariance is good to 1e-5 m^2).
 PointStatistics statistics_inside(const BinPoints& points,
                                   const HalfSpace& inside,
                                   const Eigen::Vector3f& origin) noexcept;

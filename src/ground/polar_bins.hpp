@@ -39,7 +39,7 @@ class PolarGrid {
   const PolarCell& cell(int bin) const noexcept { return cells_[static_cast<std::size_t>(bin)]; }
 
   /// The bin of each of the returns [from, until), num_bins() for those outside, lower than `min_z_m` or not
-  /// finite. Vectorised: within 2e-7 rad of the true azimuth.
+  /// finite. Vectorised: azimuths are within 3e-7 rad.
   void locate(const Coordinates& returns,
               std::uint32_t from,
               std::uint32_t until,

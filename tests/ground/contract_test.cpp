@@ -1,0 +1,319 @@
+// SPDX-FileCopyrightText: 2026 The PaGO authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+// What every ground method must do, whatever its idea. Walks the table: a new row is tested by being there.
+#include <algorithm>
+#include <limits>
+#include <numbers>
+#include <random>
+
+#include "pago/core/error.hpp"
+#include "support/catch.hpp"
+#include "support/scene.hpp"
+#include "tests/ground/cases.hpp"
+
+using namespace pago;
+using namespace pago::test;
+
+static_assert(Stage<ground::Segmenter>);
+
+namespace {
+
+constexpr ScanOptions kNoisy{.mount = {}, .columns = 2083, .noise_m = 0.01, .seed = 5, .max_range_m = 120.0};
+
+double range_xy_m(const Sweep& s, std::size_t i) {
+  return std::hypot(static_cast<double>(s.x_m[i]), static_cast<double>(s.y_m[i]));
+}
+
+/// A street with a bit of everything.
+Scene street() {
+  Scene scene;
+  scene.level_ground()
+      .box({-60, 4, -1}, {60, 20, 0.15}, kGround)
+      .box({-60, 12, 0}, {60, 13, 6})
+      .box({8, -2, 0}, {12, -0.2, 1.5})
+      .box({-14, -3.5, 0}, {-10, -1.7, 1.5})
+      .box({-60, -15, 0}, {60, -14, 4});
+  return scene;
+}
+
+std::vector<std::uint8_t> scan_and_segment(const GroundCase& c,
+                                           const Scene& scene,
+                                           Sweep& sweep,
+                                           std::vector<std::uint8_t>& truth) {
+  truth = scene.scan(sweep, kNoisy);
+  return segmented(c.config, sweep);
+}
+
+}  // namespace
+
+TEST_CASE("every method finds level ground", "[ground][contract]") {
+  Sweep sweep(kMaxReturns);
+  std::vector<std::uint8_t> truth;
+  for (const GroundCase& c : ground_cases()) {
+    INFO(c.name);
+    const auto mask = scan_and_segment(c, Scene().level_ground(), sweep, truth);
+    const auto near = [&](std::size_t i) { return range_xy_m(sweep, i) < 30.0; };
+    CHECK(share_called_ground(mask, truth, kGround, near) > c.min_recall);
+  }
+}
+
+TEST_CASE("every method finds a ramp of up to 15 % ahead", "[ground][contract]") {
+  Sweep sweep(kMaxReturns);
+  std::vector<std::uint8_t> truth;
+  for (const double grade : {0.10, 0.15, -0.10}) {
+    for (const GroundCase& c : ground_cases()) {
+      INFO(c.name << ", grade " << grade);
+      const auto mask = scan_and_segment(c, Scene().ramp(grade, 15.0), sweep, truth);
+      // LeGO-LOAM looks at no higher rings.
+      const auto on_ramp = [&](std::size_t i) {
+        return sweep.x_m[i] > 15.0F && range_xy_m(sweep, i) < 30.0 && sweep.ring[i] <= 50;
+      };
+      CHECK(share_called_ground(mask, truth, kGround, on_ramp) > c.min_recall);
+    }
+  }
+}
+
+TEST_CASE("every method takes both sides of a kerb for ground", "[ground][contract]") {
+  Sweep sweep(kMaxReturns);
+  std::vector<std::uint8_t> truth;
+  for (const GroundCase& c : ground_cases()) {
+    INFO(c.name);
+    const auto mask =
+        scan_and_segment(c, Scene().level_ground().box({-60, 4, -1}, {60, 12, 0.15}, kGround), sweep, truth);
+    const auto near = [&](std::size_t i) { return range_xy_m(sweep, i) < 20.0; };
+    CHECK(share_called_ground(mask, truth, kGround, near) > c.min_recall);
+  }
+}
+
+TEST_CASE("no method takes a wall for ground", "[ground][contract]") {
+  Sweep sweep(kMaxReturns);
+  std::vector<std::uint8_t> truth;
+  for (const GroundCase& c : ground_cases()) {
+    INFO(c.name);
+    const auto mask = scan_and_segment(c, Scene().level_ground().box({-40, 8, 0}, {40, 9, 5}), sweep, truth);
+    const auto upper = [&](std::size_t i) { return sweep.z_m[i] > -1.3F; };
+    CHECK(share_called_ground(mask, truth, kNonGround, upper) < 0.01);
+    const auto before = [&](std::size_t i) { return sweep.y_m[i] < 7.0F && range_xy_m(sweep, i) < 20.0; };
+    CHECK(share_called_ground(mask, truth, kGround, before) > c.min_recall);
+  }
+}
+
+TEST_CASE("no method takes the sides of a car for ground, and all see the road around it",
+          "[ground][contract]") {
+  Sweep sweep(kMaxReturns);
+  std::vector<std::uint8_t> truth;
+  for (const GroundCase& c : ground_cases()) {
+    INFO(c.name);
+    const auto mask = scan_and_segment(c, Scene().level_ground().box({8, -1, 0}, {12, 1, 1.5}), sweep, truth);
+    const auto side = [&](std::size_t i) { return sweep.z_m[i] > -1.3F && sweep.z_m[i] < -0.3F; };
+    CHECK(share_called_ground(mask, truth, kNonGround, side) < 0.02);
+    const auto road = [&](std::size_t i) { return range_xy_m(sweep, i) < 20.0; };
+    CHECK(share_called_ground(mask, truth, kGround, road) > c.min_recall);
+  }
+}
+
+TEST_CASE("no method takes a bridge overhead for ground, and all find the road below", "[ground][contract]") {
+  Sweep sweep(kMaxReturns);
+  std::vector<std::uint8_t> truth;
+  const Scene scene = Scene().level_ground().box({20, -30, 2.0}, {40, 30, 3.0});
+  for (const GroundCase& c : ground_cases()) {
+    INFO(c.name);
+    const auto mask = scan_and_segment(c, scene, sweep, truth);
+    const auto all = [](std::size_t) { return true; };
+    CHECK(share_called_ground(mask, truth, kNonGround, all) < 0.05);
+    const auto below = [&](std::size_t i) { return sweep.x_m[i] > 20.0F && range_xy_m(sweep, i) < 30.0; };
+    CHECK(share_called_ground(mask, truth, kGround, below) > c.min_recall);
+  }
+}
+
+TEST_CASE("every method judges in the vehicle's frame, not in a tilted sensor's", "[ground][contract]") {
+  Sweep sweep(kMaxReturns);
+  Mount tilted;
+  tilted.pitch_rad = 12.0 * std::numbers::pi / 180.0;
+  tilted.roll_rad = -5.0 * std::numbers::pi / 180.0;
+  ScanOptions options = kNoisy;
+  options.mount = tilted;
+  const Scene scene = Scene().level_ground().box({-40, 8, 0}, {40, 9, 5});
+  for (const GroundCase& c : ground_cases()) {
+    INFO(c.name);
+    const auto truth = scene.scan(sweep, options);
+    const auto mask = segmented(c.config, sweep, tilted);
+    const Eigen::Matrix3d R = tilted.R_level_sensor();
+    const auto height_m = [&](std::size_t i) {
+      return R.row(2).dot(Eigen::Vector3f(sweep.x_m[i], sweep.y_m[i], sweep.z_m[i]).cast<double>()) +
+             tilted.height_m;
+    };
+    // Ahead the sensor looks down more steeply; rings that LeGO-LOAM's tests never reach look at the ground.
+    const auto near = [&](std::size_t i) { return range_xy_m(sweep, i) < 15.0 && sweep.ring[i] < 50; };
+    CHECK(share_called_ground(mask, truth, kGround, near) > c.min_recall);
+    const auto upper = [&](std::size_t i) { return height_m(i) > 0.5; };
+    CHECK(share_called_ground(mask, truth, kNonGround, upper) < 0.01);
+  }
+}
+
+TEST_CASE("every return gets kGround or kNonGround and nothing else is written", "[ground][contract]") {
+  Sweep sweep(kMaxReturns), before(kMaxReturns);
+  street().scan(sweep, kNoisy);
+  street().scan(before, kNoisy);
+  constexpr std::uint8_t kUntouched = 0xA5;
+  const auto same = [](const auto& a, const auto& b) { return std::equal(a.begin(), a.end(), b.begin()); };
+  for (const GroundCase& c : ground_cases()) {
+    INFO(c.name);
+    std::fill(sweep.ground.begin(), sweep.ground.end(), kUntouched);
+    segmented(c.config, sweep);
+    const auto rest = sweep.ground.begin() + sweep.size;
+    CHECK(std::all_of(sweep.ground.begin(), rest, [](auto g) { return g == kGround || g == kNonGround; }));
+    CHECK(std::all_of(rest, sweep.ground.end(), [](auto g) { return g == kUntouched; }));
+    CHECK(sweep.size == before.size);
+    CHECK((same(sweep.x_m, before.x_m) && same(sweep.y_m, before.y_m) && same(sweep.z_m, before.z_m)));
+    CHECK((same(sweep.ring, before.ring) && same(sweep.column, before.column)));
+    CHECK((same(sweep.intensity, before.intensity) && same(sweep.time_offset_ns, before.time_offset_ns)));
+    CHECK(same(sweep.cluster, before.cluster));
+    for (int ring = 0; ring < kNumRings; ++ring)
+      REQUIRE(std::equal(sweep.range_image.row(ring), sweep.range_image.row(ring) + kMaxColumns,
+                         before.range_image.row(ring)));
+  }
+}
+
+TEST_CASE("the same sweep gives the same mask, in any instance and after any other sweep",
+          "[ground][contract]") {
+  Sweep sweep(kMaxReturns), other(kMaxReturns);
+  street().scan(sweep, kNoisy);
+  Scene().ramp(0.1, 5.0).box({-9, -9, 0}, {-6, 9, 2}).scan(other, kNoisy);
+  for (const GroundCase& c : ground_cases()) {
+    INFO(c.name);
+    const auto segmenter = ground::make_segmenter(c.config, Mount{}, sweep.capacity());
+    segment(*segmenter, sweep);
+    const auto first = mask_of(sweep);
+    segment(*segmenter, other);
+    segment(*segmenter, sweep);
+    CHECK(mask_of(sweep) == first);
+    CHECK(segmented(c.config, sweep) == first);
+  }
+}
+
+TEST_CASE("a sweep in parts gives the same mask as at once", "[ground][contract]") {
+  Sweep sweep(kMaxReturns);
+  street().scan(sweep, kNoisy);
+  for (const GroundCase& c : ground_cases()) {
+    const auto whole = segmented(c.config, sweep);
+    const auto segmenter = ground::make_segmenter(c.config, Mount{}, sweep.capacity());
+    for (const std::uint32_t parts : {2U, 7U, 36U, 72U}) {
+      INFO(c.name << ", " << parts << " parts");
+      std::fill(sweep.ground.begin(), sweep.ground.end(), std::uint8_t{0xA5});
+      segmenter->begin(sweep);
+      for (std::uint32_t part = 1; part <= parts; ++part) {
+        const std::uint32_t until = sweep.size * part / parts;
+        // The scene's lasers look where the encoder does: columns before the next return's are final.
+        const std::uint32_t columns = part == parts ? sweep.header.num_columns : sweep.column[until];
+        segmenter->accept({&sweep, until, columns, part == parts});
+      }
+      segmenter->finish(sweep);
+      CHECK(mask_of(sweep) == whole);
+    }
+  }
+}
+
+TEST_CASE("an empty sweep and a single return are segmented", "[ground][contract]") {
+  Sweep sweep(kMaxReturns);
+  for (const GroundCase& c : ground_cases()) {
+    INFO(c.name);
+    sweep.reset();
+    CHECK(segmented(c.config, sweep).empty());
+    Scene().level_ground().scan(sweep, {.columns = 1});
+    sweep.size = 1;
+    sweep.range_image.clear(1);
+    sweep.range_image.at(sweep.ring[0], 0) = 0;
+    CHECK(segmented(c.config, sweep) == std::vector<std::uint8_t>{kNonGround});
+  }
+}
+
+TEST_CASE("returns that are zero, NaN or infinite are non-ground and do not disturb the others",
+          "[ground][contract]") {
+  constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
+  constexpr float kInf = std::numeric_limits<float>::infinity();
+  Sweep sweep(kMaxReturns);
+  std::vector<std::uint8_t> truth;
+  for (const GroundCase& c : ground_cases()) {
+    INFO(c.name);
+    truth = Scene().level_ground().scan(sweep, kNoisy);
+    const std::array<std::array<float, 3>, 6> bad{
+        {{0, 0, 0}, {kNan, kNan, kNan}, {10, kNan, -1.7F}, {10, 0, kNan}, {kInf, 0, -1.7F}, {10, 0, -kInf}}};
+    for (std::uint32_t i = 0; i < sweep.size; i += 10) {
+      const auto& p = bad[i / 10 % bad.size()];
+      sweep.x_m[i] = p[0], sweep.y_m[i] = p[1], sweep.z_m[i] = p[2];
+      truth[i] = kNonGround;
+    }
+    const auto mask = segmented(c.config, sweep);
+    const auto all = [](std::size_t) { return true; };
+    CHECK(share_called_ground(mask, truth, kNonGround, all) == 0.0);
+    const auto near = [&](std::size_t i) { return range_xy_m(sweep, i) < 20.0; };
+    CHECK(share_called_ground(mask, truth, kGround, near) > c.min_recall);
+  }
+}
+
+TEST_CASE("a sweep without any valid return has no ground", "[ground][contract]") {
+  Sweep sweep(kMaxReturns);
+  for (const GroundCase& c : ground_cases()) {
+    for (const float value : {0.0F, std::numeric_limits<float>::quiet_NaN()}) {
+      INFO(c.name << ", all " << value);
+      street().scan(sweep, kNoisy);
+      for (auto* coordinate : {&sweep.x_m, &sweep.y_m, &sweep.z_m})
+        std::fill(coordinate->begin(), coordinate->end(), value);
+      const auto mask = segmented(c.config, sweep);
+      CHECK(std::count(mask.begin(), mask.end(), kGround) == 0);
+    }
+  }
+}
+
+TEST_CASE("a full sweep of the slowest dual-return rotation is segmented, wherever its returns lie",
+          "[ground][contract]") {
+  constexpr std::uint32_t kLargest = 460'800;
+  Sweep sweep(kLargest);
+  std::mt19937 random(2);
+  std::uniform_real_distribution<float> anywhere(-100.0F, 100.0F), near(-1.0F, 1.0F);
+  for (const GroundCase& c : ground_cases()) {
+    for (const bool in_one_bin : {false, true}) {
+      INFO(c.name << (in_one_bin ? ", all in one bin" : ", everywhere"));
+      sweep.reset();
+      sweep.size = kLargest;
+      sweep.header.num_columns = kMaxColumns;
+      for (std::uint32_t i = 0; i < kLargest; ++i) {
+        sweep.x_m[i] = in_one_bin ? 15.0F + 0.1F * near(random) : anywhere(random);
+        sweep.y_m[i] = in_one_bin ? 1.0F + 0.1F * near(random) : anywhere(random);
+        sweep.z_m[i] = in_one_bin ? -1.73F : 2.0F * near(random);
+        sweep.ring[i] = static_cast<std::uint8_t>(i % kNumRings);
+        sweep.column[i] = static_cast<std::uint16_t>(i / kNumRings % kMaxColumns);
+        sweep.range_image.at(sweep.ring[i], sweep.column[i]) = static_cast<std::int32_t>(i);
+      }
+      const auto mask = segmented(c.config, sweep);
+      CHECK(std::all_of(mask.begin(), mask.end(), [](auto g) { return g == kGround || g == kNonGround; }));
+    }
+  }
+}
+
+TEST_CASE("methods have different names and a line of help each", "[ground][methods]") {
+  std::vector<std::string_view> names;
+  for (const ground::Method& method : ground::methods()) {
+    CHECK_FALSE(method.name.empty());
+    CHECK_FALSE(method.summary.empty());
+    names.push_back(method.name);
+  }
+  std::sort(names.begin(), names.end());
+  CHECK(std::adjacent_find(names.begin(), names.end()) == names.end());
+}
+
+TEST_CASE("an unknown method is refused with the known ones named", "[ground][methods]") {
+  GroundConfig config;
+  config.method = "patchwrok";
+  try {
+    ground::make_segmenter(config, Mount{}, 10);
+    FAIL("must throw");
+  } catch (const Error& error) {
+    CHECK(error.where() == "ground.method");
+    CHECK(error.problem().find("patchwrok") != std::string::npos);
+    CHECK(error.hint().find("patchwork") != std::string::npos);
+    CHECK(error.hint().find("lego") != std::string::npos);
+  }
+}
