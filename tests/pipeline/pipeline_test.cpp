@@ -1,0 +1,208 @@
+// SPDX-FileCopyrightText: 2026 The PaGO authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "pago/pipeline/pipeline.hpp"
+
+#include <cstring>
+#include <stdexcept>
+#include <vector>
+
+#include "pago/core/error.hpp"
+#include "support/catch.hpp"
+#include "support/street_packets.hpp"
+
+using namespace pago;
+
+namespace {
+
+struct Collector final : Observer {
+  void on_sweep(const output::SweepRecord& record) override {
+    records.push_back(record);
+    if (records.size() == throw_at) throw std::runtime_error("disk on fire");
+    if (records.size() == stop_at) stop = true;
+  }
+  std::vector<output::SweepRecord> records;
+  std::size_t throw_at = 0, stop_at = 0;
+  std::atomic<bool> stop{false};
+};
+
+Config small_config() {
+  Config config;
+  config.assembly.ring_size = 3;
+  config.hdl64.max_range_m = 120.0;
+  return config;
+}
+
+const std::vector<test::PacketBytes>& street_drive() {
+  static const std::vector<test::PacketBytes> packets = [] {
+    Vector6d twist = Vector6d::Zero();
+    twist[0] = 8.0, twist[5] = 0.1;
+    return test::drive_packets(twist, 5);
+  }();
+  return packets;
+}
+
+RunSummary drive(const Config& config, Collector& collector, std::size_t batch = 64) {
+  test::MemorySource source(street_drive(), batch);
+  Pipeline pipeline(config);
+  return pipeline.run(source, test::ideal_calibration(), collector, collector.stop);
+}
+
+bool same_poses(const Collector& a, const Collector& b) {
+  if (a.records.size() != b.records.size()) return false;
+  for (std::size_t i = 0; i < a.records.size(); ++i) {
+    if (a.records[i].stamp_ns != b.records[i].stamp_ns ||
+        std::memcmp(&a.records[i].T_odom_sensor_refined, &b.records[i].T_odom_sensor_refined,
+                    sizeof(output::PoseRow)) != 0) {
+      return false;
+    }
+  }
+  return true;
+}
+
+/// Empty compensated scans, as many as asked for.
+class ScanSource final : public SweepSource {
+ public:
+  explicit ScanSource(int count, std::string complaint = {})
+      : count_(count), complaint_(std::move(complaint)) {}
+  bool fill(Sweep& sweep) noexcept override {
+    if (next_ == count_) return false;
+    sweep.header.sequence = static_cast<std::uint64_t>(next_);
+    sweep.header.start_ns = next_ * std::int64_t{100'000'000};
+    sweep.header.end_ns = sweep.header.start_ns + 100'000'000;
+    sweep.header.flags = kCompensated;
+    ++next_;
+    return true;
+  }
+  Progress progress() const noexcept override {
+    return {static_cast<double>(next_), static_cast<double>(count_)};
+  }
+  std::string complaint() const override { return complaint_; }
+
+ private:
+  int next_ = 0, count_;
+  std::string complaint_;
+};
+
+}  // namespace
+
+TEST_CASE("packets of a drive come out as its trajectory", "[pipeline]") {
+  Collector collector;
+  const RunSummary summary = drive(small_config(), collector);
+  REQUIRE(summary.failure.empty());
+  REQUIRE_FALSE(summary.interrupted);
+  REQUIRE(summary.balanced());
+  REQUIRE(summary.packets.decoded == street_drive().size());
+  REQUIRE(summary.sweeps.posed == 5);
+  REQUIRE(summary.sweeps.dropped_total() == 0);
+  REQUIRE(summary.sweeps.in_flight == 0);
+  REQUIRE(summary.threads.size() == 3);
+
+  // From the end of the first sweep to that of the fifth: four tenths of a second.
+  std::size_t poses = 0;
+  Eigen::Isometry3d T_last = Eigen::Isometry3d::Identity();
+  for (const auto& record : collector.records) {
+    REQUIRE(record.header.sequence == static_cast<std::uint64_t>(&record - collector.records.data()));
+    if (!record.has_pose) continue;
+    ++poses;
+    T_last = output::to_isometry(record.T_odom_sensor_refined);
+  }
+  Vector6d travelled = Vector6d::Zero();
+  travelled[0] = 8.0 * 0.4, travelled[5] = 0.1 * 0.4;
+  REQUIRE(poses == 5);
+  REQUIRE((T_last.translation() - exp_se3(travelled).translation()).norm() < 0.12);
+  REQUIRE(log_se3(T_last)[5] == Approx(0.04).margin(0.01));
+}
+
+TEST_CASE("every stage says how long it took on each sweep, in order", "[pipeline]") {
+  Collector collector;
+  drive(small_config(), collector);
+  for (const auto& record : collector.records) {
+    std::int64_t before_ns = 0;
+    for (const StageId stage : {StageId::kIngest, StageId::kGround, StageId::kFeatures, StageId::kOdometry}) {
+      const StageTime& time = record.time_of(stage);
+      REQUIRE(time.start_ns > 0);
+      REQUIRE(time.end_ns >= time.start_ns);
+      REQUIRE(time.end_ns >= before_ns);
+      before_ns = time.end_ns;
+    }
+    REQUIRE(record.header.closed_ns == record.time_of(StageId::kIngest).end_ns);
+  }
+}
+
+TEST_CASE("ring size, batch size and sectors leave the bytes alone", "[pipeline]") {
+  Collector reference;
+  drive(small_config(), reference);
+  for (const int ring_size : {2, 6}) {
+    for (const std::size_t batch : {std::size_t{1}, std::size_t{500}}) {
+      for (const int sectors : {1, 8}) {
+        Config config = small_config();
+        config.assembly.ring_size = ring_size;
+        config.assembly.sectors = sectors;
+        Collector collector;
+        drive(config, collector, batch);
+        INFO("ring " << ring_size << ", batch " << batch << ", sectors " << sectors);
+        REQUIRE(same_poses(reference, collector));
+      }
+    }
+  }
+}
+
+TEST_CASE("asked to stop, the pipeline works off what it has begun and ends", "[pipeline]") {
+  Collector collector;
+  collector.stop_at = 2;
+  const RunSummary summary = drive(small_config(), collector, 8);
+  REQUIRE(summary.balanced());
+  REQUIRE(collector.records.size() >= 2);
+  REQUIRE(summary.sweeps.opened == collector.records.size() + summary.sweeps.dropped_total());
+}
+
+TEST_CASE("an observer that throws ends the run and its exception comes out", "[pipeline]") {
+  Collector collector;
+  collector.throw_at = 1;
+  REQUIRE_THROWS_WITH(drive(small_config(), collector), "disk on fire");
+  REQUIRE(collector.records.size() == 1);
+}
+
+TEST_CASE("scans of a folder get a pose each", "[pipeline]") {
+  ScanSource source(7);
+  Collector collector;
+  Pipeline pipeline(small_config());
+  const RunSummary summary = pipeline.run(source, collector, collector.stop);
+  REQUIRE(summary.failure.empty());
+  REQUIRE(summary.balanced());
+  REQUIRE(summary.sweeps.posed == 7);
+  REQUIRE(collector.records.size() == 7);
+}
+
+TEST_CASE("a source that breaks off fails the run after what it gave", "[pipeline]") {
+  ScanSource source(2, "scan 2 is damaged");
+  Collector collector;
+  Pipeline pipeline(small_config());
+  const RunSummary summary = pipeline.run(source, collector, collector.stop);
+  REQUIRE(summary.failure == "scan 2 is damaged");
+  REQUIRE(collector.records.size() == 2);
+}
+
+TEST_CASE("a stream of another sensor is refused by name and yields nothing", "[pipeline]") {
+  std::vector<test::PacketBytes> packets;
+  for (int i = 0; i < 100; ++i) {
+    test::PacketBuilder builder;
+    for (int block = 0; block < hdl64::kBlocks; ++block)
+      builder.flag(block, hdl64::kUpperBlock).block_azimuth_cdeg(block, (i * 240 + block * 20) % 36000);
+    builder.stamp_us(static_cast<std::uint32_t>(1000 + i * 1327)).status(0x37, 0x22);
+    packets.push_back(builder.bytes());
+  }
+  test::MemorySource source(packets);
+  Collector collector;
+  Pipeline pipeline(small_config());
+  const RunSummary summary = pipeline.run(source, test::ideal_calibration(), collector, collector.stop);
+  REQUIRE(summary.failure.find("VLP-16") != std::string::npos);
+  REQUIRE(collector.records.empty());
+  REQUIRE(summary.packets.balanced());
+}
+
+TEST_CASE("an unknown ground method is refused before anything starts", "[pipeline]") {
+  Config config = small_config();
+  config.ground.method = "lawn";
+  REQUIRE_THROWS_AS(Pipeline(config), Error);
+}
