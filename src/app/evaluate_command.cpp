@@ -17,6 +17,7 @@ using evaluation::PoseFrame;
 
 struct EvaluateOptions {
   std::string truth, estimate, rows, camera_calibration;
+  std::string match = "auto", truth_frame = "sensor", estimate_frame = "sensor";
   evaluation::EvaluationOptions evaluation;
   bool json = false;
 };
@@ -26,24 +27,36 @@ const std::map<std::string, Matching> kMatchings{
 const std::map<std::string, PoseFrame> kFrames{{"sensor", PoseFrame::kSensor},
                                                {"camera", PoseFrame::kCamera}};
 
+/// The library's own descriptions of these checks would print enum values into the help.
+template <typename Words>
+CLI::Validator words(const Words& known) {
+  return CLI::IsMember(known).description("");
+}
+CLI::Validator positive() {
+  return CLI::Validator(CLI::PositiveNumber).description("");
+}
+
 void add_matching_options(CLI::App& command, EvaluateOptions& options) {
   auto& match = options.evaluation.match;
   command.add_option("--rows", options.rows, "score rows A to B only, counted from 0")->type_name("A-B");
-  command.add_option("--match", match.matching, "how poses belong together: auto, row, stamp")
-      ->transform(CLI::CheckedTransformer(kMatchings));
-  command.add_option("--max-difference", match.max_difference_s, "by stamp: at most this far apart (0.02 s)");
+  command.add_option("--match", options.match, "how poses belong together: auto, row, stamp")
+      ->check(words(kMatchings))
+      ->type_name("HOW");
+  command.add_option("--max-difference", match.max_difference_s, "by stamp: at most this far apart (0.02)")
+      ->type_name("SECONDS");
   command.add_flag("--interpolate", match.interpolates_truth,
                    "by stamp: interpolate the truth to the estimate's stamps");
 }
 
 void add_frame_options(CLI::App& command, EvaluateOptions& options) {
-  auto& evaluation = options.evaluation;
-  command.add_option("--truth-frame", evaluation.truth_frame, "whose poses the truth holds: sensor, camera")
-      ->transform(CLI::CheckedTransformer(kFrames));
+  command.add_option("--truth-frame", options.truth_frame, "whose poses the truth holds: sensor, camera")
+      ->check(words(kFrames))
+      ->type_name("FRAME");
   command
-      .add_option("--estimate-frame", evaluation.estimate_frame,
+      .add_option("--estimate-frame", options.estimate_frame,
                   "whose poses the estimate holds: sensor, camera")
-      ->transform(CLI::CheckedTransformer(kFrames));
+      ->check(words(kFrames))
+      ->type_name("FRAME");
   command
       .add_option("--camera-calibration", options.camera_calibration,
                   "KITTI's calib.txt, to convert camera poses")
@@ -52,6 +65,9 @@ void add_frame_options(CLI::App& command, EvaluateOptions& options) {
 
 int evaluate_command(const EvaluateOptions& options) {
   evaluation::EvaluationOptions how = options.evaluation;
+  how.match.matching = kMatchings.at(options.match);
+  how.truth_frame = kFrames.at(options.truth_frame);
+  how.estimate_frame = kFrames.at(options.estimate_frame);
   if (!options.rows.empty()) how.match.rows = evaluation::parse_row_range(options.rows);
   if (!options.camera_calibration.empty()) {
     how.T_camera_sensor = evaluation::read_kitti_calibration(options.camera_calibration);
@@ -75,9 +91,11 @@ void add_evaluate_command(CLI::App& program, Action& action) {
   auto& segments = options->evaluation.segments;
   command.add_option("--lengths", segments.lengths_m, "segment lengths in metres (100,200,...,800)")
       ->delimiter(',')
-      ->check(CLI::PositiveNumber);
+      ->check(positive())
+      ->type_name("M,M,...");
   command.add_option("--step", segments.step_rows, "a segment starts at every so many rows (10)")
-      ->check(CLI::PositiveNumber);
+      ->check(positive())
+      ->type_name("ROWS");
   add_matching_options(command, *options);
   add_frame_options(command, *options);
   command.callback([&action, options] { action = [options] { return evaluate_command(*options); }; });

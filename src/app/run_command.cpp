@@ -114,7 +114,8 @@ int run_command(const RunOptions& options) {
   const bool has_packets = std::holds_alternative<OpenCapture>(source);
   const output::RunReport report = report_of(summary, options, config, has_packets, wall_s);
   recorder->finish(report);
-  std::cout << output::run_summary(report, recorder->totals(), results.folder);
+  const bool came_to_nothing = !summary.failure.empty() && summary.sweeps.opened == 0;
+  if (!came_to_nothing) std::cout << output::run_summary(report, recorder->totals(), results.folder);
   for (const std::string& complaint : {results.complaint, summary.complaint, summary.failure}) {
     if (!complaint.empty()) std::cerr << "pago: " << complaint << '\n';
   }

@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "pago/core/error.hpp"
+#include "pago/hdl64/stream_probe.hpp"
 #include "pago/kitti/kitti_source.hpp"
 #include "pago/pcap/pcap_source.hpp"
 
@@ -32,7 +33,27 @@ std::string calibration_beside(const fs::path& capture) {
               "about a metre");
 }
 
+/// Looks at the first packets, so that a capture of another sensor, or of none, is refused before anything
+/// starts.
+void check_sensor(const fs::path& file, const PacketFilterConfig& filter) {
+  PcapSource source(file, filter);
+  hdl64::StreamProbe probe;
+  while (!source.all_done() && !probe.decided()) {
+    for (const Datagram& datagram : source.receive()) probe.add(datagram.payload, datagram.arrival_ns);
+  }
+  if (probe.decided() && !hdl64::is_supported(probe.kind()))
+    throw Error(file.string(), hdl64::refusal(probe.kind()));
+  const SourceCounters counters = source.counters();
+  if (counters.delivered == 0 && counters.bad() == 0) {
+    throw Error(file.string(),
+                "holds no datagram to port " + std::to_string(filter.port) +
+                    (filter.source_address.empty() ? "" : " from " + filter.source_address),
+                std::to_string(counters.filtered) + " others; set packets.port or packets.source_address");
+  }
+}
+
 OpenCapture open_capture(const fs::path& file, Config& config) {
+  check_sensor(file, config.packets);
   OpenCapture open{std::make_unique<PcapSource>(file, config.packets), {}};
   if (config.hdl64.calibration.empty()) config.hdl64.calibration = calibration_beside(file);
   open.calibration = hdl64::load_calibration(config.hdl64.calibration, config.hdl64.vertical_offset);
