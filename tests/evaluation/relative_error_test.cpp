@@ -25,6 +25,8 @@ TEST_CASE("a scale error of one percent is one percent per nominal length", "[ev
   const Trajectory estimate = chain(planar(0.75 * 1.01, 0, 0), 1300, "estimate");
   const RelativeErrors errors = relative_errors(by_row(truth, estimate));
   REQUIRE(errors.by_length.size() == 8);
+  // E = inv(estimate) * truth: from an end that lies too far ahead, the true one is behind.
+  for (const SegmentError& segment : errors.segments) CHECK(segment.translation_per_axis.x() < -0.01);
   for (const DriftRates& rates : errors.by_length) {
     // The devkit ends a segment at the first pose beyond the length: 100 m is 134 steps of 0.75 m = 100.5 m.
     const double true_length_m = 0.75 * (std::floor(rates.length_m / 0.75) + 1.0);
