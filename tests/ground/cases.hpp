@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cmath>
 #include <memory>
 #include <string>
 #include <vector>
@@ -50,6 +51,10 @@ inline std::vector<std::uint8_t> segmented(const GroundConfig& config,
                                            const Mount& mount = {}) {
   segment(*ground::make_segmenter(config, mount, sweep.capacity()), sweep);
   return mask_of(sweep);
+}
+
+inline double range_xy_m(const Sweep& sweep, std::size_t i) {
+  return std::hypot(static_cast<double>(sweep.x_m[i]), static_cast<double>(sweep.y_m[i]));
 }
 
 /// Share of the returns with `truth` (and for which `where(i)` holds) that the mask calls ground; 0 of none.

@@ -172,9 +172,7 @@ TEST_CASE("Patchwork looks for the ground at the mount's height", "[ground][patc
   Sweep sweep(kMaxReturns);
   const Mount high{.height_m = 3.0};
   const auto truth = Scene().level_ground().scan(sweep, {.mount = high, .noise_m = 0.01});
-  const auto near = [&](std::size_t i) {
-    return sweep.x_m[i] * sweep.x_m[i] + sweep.y_m[i] * sweep.y_m[i] < 400.0F;
-  };
+  const auto near = [&](std::size_t i) { return range_xy_m(sweep, i) < 20.0; };
   CHECK(share_called_ground(segmented(patchwork(), sweep, high), truth, kGround, near) > 0.99);
   // Seen as 1.3 m under the ground of a low mount, whose bound in the near rings it cannot pass; no harm
   // done.

@@ -66,7 +66,8 @@ TEST_CASE("statistics agree with double arithmetic about any near origin", "[gro
     CHECK(found.count == 3001.0);
     CHECK((found.mean - mean).norm() < 1e-5);
     const double distance_m = (origin.cast<double>() - mean).norm();
-    CHECK((found.covariance - covariance).norm() < 1e-6 * (1.0 + distance_m * distance_m));
+    // Builds without vector lanes add one by one and round more.
+    CHECK((found.covariance - covariance).norm() < 5e-6 * (1.0 + distance_m * distance_m));
   }
 }
 
