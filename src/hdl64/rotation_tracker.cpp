@@ -20,7 +20,7 @@ constexpr double kGatePerTurn = 0.02;
 constexpr double kFirstGate_rev = kEncoderStep_rev;
 constexpr double kFirstGate_rev_s = kEncoderStep_rev / (5.0 * kPeriod_s);
 /// Lines farther apart than this differ because the speed changes: at a steady speed rounding parts them by a
-/// tenth of a step, except within 0.2 % of speeds that advance whole steps per firing (10.417 Hz and its
+/// tenth of a step, except within 0.5 % of speeds that advance whole steps per firing (10.417 Hz and its
 /// multiples), where rounding repeats itself and no fit can do better than half a step.
 constexpr double kReseed_rev = 0.25 * kEncoderStep_rev;
 /// After a gap: a line that fits this well to the turns counted so far continues them.
@@ -195,7 +195,10 @@ bool RotationTracker::add(const PacketAzimuths& packet) noexcept {
   const LineMoments seen_by_fast = slow_.relative_to(fast_, seen);
   slow_.correct(seen);
   fast_.correct(seen_by_fast);
-  if (std::abs(slow_.at(packet.time_ns) - fast_.at(packet.time_ns)) > kReseed_rev) slow_.follow(fast_);
+  // After a loss the short memory knows too little to be right against the long one.
+  const bool is_fast_certain = fast_.weight() > 0.5 * kShortMemory_s / kPeriod_s;
+  const double apart = slow_.at(packet.time_ns) - fast_.at(packet.time_ns);
+  if (is_fast_certain && std::abs(apart) > kReseed_rev) slow_.follow(fast_);
   return true;
 }
 

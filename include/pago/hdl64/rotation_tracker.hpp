@@ -62,6 +62,8 @@ class FadingLine {
     return revolutions_ + rate_rev_s_ * (static_cast<double>(time_ns - origin_ns_) * 1e-9);
   }
   double rate_rev_s() const noexcept { return rate_rev_s_; }
+  /// How many observations support the line, each counted as much as it has not faded yet.
+  double weight() const noexcept { return w_; }
   std::int64_t origin_ns() const noexcept { return origin_ns_; }
   void shift(double revolutions) noexcept { revolutions_ += revolutions; }
 
