@@ -13,7 +13,7 @@ constexpr int kFailure = 1, kBadInput = 2;
 int parse_and_act(int argc, char** argv) {
   CLI::App program("PaGO: LiDAR odometry and mapping for the Velodyne HDL-64E", "pago");
   program.set_version_flag("--version", "pago " PAGO_VERSION);
-  program.require_subcommand(1);
+  program.require_subcommand(0, 1);
   pago::app::Action action;
   pago::app::add_run_command(program, action);
   pago::app::add_evaluate_command(program, action);
@@ -24,6 +24,10 @@ int parse_and_act(int argc, char** argv) {
     return program.exit(wanted);
   } catch (const CLI::ParseError& mistake) {
     std::cerr << "pago: " << mistake.what() << " (see pago --help)\n";
+    return kBadInput;
+  }
+  if (!action) {
+    std::cerr << "pago: no command given (see pago --help)\n";
     return kBadInput;
   }
   return action();

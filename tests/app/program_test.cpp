@@ -150,7 +150,7 @@ TEST_CASE("bad input ends with one clear line and code 2", "[app][refusals]") {
   require_one_line_and_code_2(run("run street.pcap --set packets.port=9"), "packets.port");
   require_one_line_and_code_2(run("run stree.pcap --sat x=1"), "--sat");
   require_one_line_and_code_2(run("drive"), "drive");
-  require_one_line_and_code_2(run(""), "A subcommand is required");
+  require_one_line_and_code_2(run(""), "no command");
   require_one_line_and_code_2(run("evaluate missing.tum missing.tum"), "missing.tum");
   write("broken.toml", "[ground]\nmethod = 3\n");
   require_one_line_and_code_2(run("config --config broken.toml"), "broken.toml:2");
