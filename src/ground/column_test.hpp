@@ -32,7 +32,8 @@ inline constexpr int kStripColumns = 32;
 using StripVerdict = std::array<std::uint8_t, kStripColumns>;
 
 struct StripRow {
-  alignas(64) std::array<float, kStripColumns> x_m, y_m, z_m;  ///< x NaN where there is no usable return
+  alignas(64) std::array<float, kStripColumns> x_m{}, y_m{},
+      z_m{};  ///< x NaN where there is no usable return
 };
 
 /// The returns behind `width` cells of one row.
@@ -59,7 +60,7 @@ void test_columns(const ColumnTest& test,
                   int from,
                   int until,
                   const Mark& mark) noexcept {
-  std::array<StripRow, 2> rows;
+  std::array<StripRow, 2> rows{};
   for (int column = from; column < until; column += kStripColumns) {
     const int width = std::min(kStripColumns, until - column);
     StripVerdict is_level{};

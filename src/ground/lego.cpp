@@ -113,7 +113,8 @@ class UniformColumnTest final : public Segmenter {
     const float num_rows = static_cast<float>(config_.uniform_rows);
     const std::int32_t columns = config_.uniform_columns;
     const float columns_per_turn = static_cast<float>(columns);
-    const float half_columns = static_cast<float>(columns / 2);
+    const std::int32_t middle = columns / 2;
+    const float middle_to_round = static_cast<float>(middle) + 0.5F;
     const float min_range_sq_m2 = test_.min_range_sq_m2;
     const auto outside = static_cast<std::int32_t>(num_pixels());
     const float* const xs = sweep.x_m.data();
@@ -128,11 +129,11 @@ class UniformColumnTest final : public Segmenter {
       const float range_sq = range_xy_sq + z * z;
       const bool is_usable = (range_sq >= min_range_sq_m2) & (range_sq <= std::numeric_limits<float>::max());
       const float up = atan2_turns(z, std::sqrt(range_xy_sq)) * rows_per_turn + bottom_rows;
-      const float right = atan2_turns(-y, x) * columns_per_turn + half_columns;
+      const float right = atan2_turns(-y, x) * columns_per_turn + middle_to_round;
       const bool is_inside = is_usable & (up > -1.0F) & (up < num_rows);
       const auto row = static_cast<std::int32_t>(is_inside ? up : 0.0F);
-      // From -0.5 to columns + 0.5.
-      const auto rounded = static_cast<std::int32_t>((is_inside ? right : 0.0F) + 0.5F);
+      // 0 to columns, which is column 0 again.
+      const auto rounded = static_cast<std::int32_t>(is_inside ? right : 0.0F);
       const std::int32_t column = rounded >= columns ? rounded - columns : rounded;
       pixel_of[i] = static_cast<std::uint32_t>(is_inside ? row * columns + column : outside);
     }

@@ -16,7 +16,7 @@ constexpr float kInfinity = std::numeric_limits<float>::infinity();
 /// dealt out to groups, and the count-th lowest of the groups' minima has count - 1 others below it. It lies
 /// about ten places above the count-th lowest value itself.
 float upper_bound_of_lowest(std::span<const float> values, std::size_t count, float floor) {
-  alignas(64) std::array<float, kGroups> low;
+  alignas(64) std::array<float, kGroups> low{};
   low.fill(kInfinity);
   const std::size_t whole = values.size() / kGroups * kGroups;
   for (std::size_t i = 0; i < whole; i += kGroups) {
@@ -52,7 +52,7 @@ std::size_t LowestMean::collect(std::span<const float> values, float floor, floa
   std::size_t found = 0;
   for (const float value : values) {
     candidates_[found] = value;
-    found += (value >= floor) & (value <= ceiling) ? 1U : 0U;
+    found += ((value >= floor) & (value <= ceiling)) ? 1U : 0U;
   }
   return found;
 }

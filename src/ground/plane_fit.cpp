@@ -36,13 +36,13 @@ PointStatistics statistics_inside(const BinPoints& points,
   }
 
   PointStatistics result;
-  result.count = n;
+  result.count = static_cast<double>(n);
   if (n < 1.0F) return result;
-  const Eigen::Vector3d offset = Eigen::Vector3d(x, y, z) / result.count;
-  Eigen::Matrix3d second;
+  const Eigen::Vector3d offset = Eigen::Vector3f(x, y, z).cast<double>() / result.count;
+  Eigen::Matrix3f second;
   second << xx, xy, xz, xy, yy, yz, xz, yz, zz;
   result.mean = origin.cast<double>() + offset;
-  result.covariance = second / result.count - offset * offset.transpose();
+  result.covariance = second.cast<double>() / result.count - offset * offset.transpose();
   return result;
 }
 

@@ -6,6 +6,7 @@
 #include <limits>
 #include <random>
 
+#include "support/alloc_guard.hpp"
 #include "support/catch.hpp"
 #include "support/scene.hpp"
 #include "tests/ground/cases.hpp"
@@ -92,6 +93,24 @@ TEST_CASE("a sweep in parts gives the same mask as at once", "[ground][contract]
       }
       segmenter->finish(sweep);
       CHECK(mask_of(sweep) == whole);
+    }
+  }
+}
+
+TEST_CASE("segmenting touches no heap", "[ground][contract]") {
+  Sweep sweep(kMaxReturns);
+  street().scan(sweep, kNoisy);
+  Mount tilted;
+  tilted.pitch_rad = 0.1;
+  for (const GroundCase& c : ground_cases()) {
+    for (const Mount& mount : {Mount{}, tilted}) {
+      INFO(c.name << ", pitch " << mount.pitch_rad);
+      const AllocationGuard creation;
+      const auto segmenter = ground::make_segmenter(c.config, mount, sweep.capacity());
+      CHECK(creation.count() > 0);  // the guard sees what it must see
+      const AllocationGuard guard;
+      segment(*segmenter, sweep);
+      CHECK(guard.count() == 0);
     }
   }
 }
