@@ -6,29 +6,13 @@
 #include <cmath>
 #include <numbers>
 
-#include "columns.hpp"
 #include "folder.hpp"
-#include "rings.hpp"
 #include "scan_file.hpp"
 
 namespace pago {
 namespace {
 
 using kitti::FilePoint;
-using kitti::kNoTurn;
-
-/// Coordinates that arithmetic cannot spoil; no LiDAR sees 1,000 km.
-bool is_usable(const FilePoint& p) noexcept {
-  constexpr float kAbsurdM = 1e6F;
-  return std::abs(p.x_m) < kAbsurdM && std::abs(p.y_m) < kAbsurdM && std::abs(p.z_m) < kAbsurdM;
-}
-
-/// How far the head has turned when it looks at the point: clockwise from the rear, [0, 1] revolutions.
-float turn_of(const FilePoint& p) noexcept {
-  if (!is_usable(p) || (p.x_m == 0.0F && p.y_m == 0.0F)) return kNoTurn;
-  constexpr float kRevPerRad = 0.5F * std::numbers::inv_pi_v<float>;
-  return std::clamp(0.5F - std::atan2(p.y_m, p.x_m) * kRevPerRad, 0.0F, 1.0F);
-}
 
 /// What brings a file's intensities to 0-255: KITTI's own are in [0, 1], but converted sets are around.
 float intensity_scale(std::span<const FilePoint> points) noexcept {
@@ -41,15 +25,14 @@ std::uint8_t to_byte(float intensity) noexcept {
   return intensity > 0.0F ? static_cast<std::uint8_t>(std::min(255.0F, intensity) + 0.5F) : std::uint8_t{0};
 }
 
-void copy_points(std::span<const FilePoint> points, Sweep& sweep, std::span<float> turn) noexcept {
+void copy_points(std::span<const FilePoint> points, Sweep& sweep) noexcept {
   const float scale = intensity_scale(points);
   sweep.size = static_cast<std::uint32_t>(points.size());
   for (std::size_t i = 0; i < points.size(); ++i) {
     const FilePoint& p = points[i];
-    turn[i] = turn_of(p);
-    sweep.x_m[i] = is_usable(p) ? p.x_m : 0.0F;
-    sweep.y_m[i] = is_usable(p) ? p.y_m : 0.0F;
-    sweep.z_m[i] = is_usable(p) ? p.z_m : 0.0F;
+    sweep.x_m[i] = p.x_m;
+    sweep.y_m[i] = p.y_m;
+    sweep.z_m[i] = p.z_m;
     sweep.intensity[i] = to_byte(p.intensity * scale);
   }
 }
@@ -106,20 +89,16 @@ struct KittiSource::State {
                            : settings.compensated == KittiCompensation::kYes),
         vertical_correction_deg(settings.vertical_correction_deg),
         reader(kMaxPoints),
-        turn(kMaxPoints),
-        columns(kMaxPoints, kKittiColumns) {}
+        organizer(kMaxPoints) {}
 
   kitti::Folder folder;
   bool is_compensated;
   double vertical_correction_deg;
   kitti::ScanReader reader;
-  AlignedArray<float> turn;  // per point, see kitti::RingFinder
-  kitti::RingFinder rings;
-  kitti::ColumnPlacer columns;
+  ScanOrganizer organizer;
 
   std::size_t next = 0;  // in folder.scans; stays on the one with a fault
   kitti::ScanFault fault;
-  std::uint64_t guessed_rings = 0, homeless_returns = 0;
 };
 
 KittiSource::KittiSource(const std::filesystem::path& folder, const KittiConfig& config)
@@ -137,13 +116,12 @@ bool KittiSource::fill(Sweep& sweep) noexcept {
   if (points.empty()) return false;
   ++state.next;
 
-  const std::span<float> turn = state.turn.first(points.size());
   sweep.header = header_of(scan, state.is_compensated);
-  copy_points(points, sweep, turn);
+  copy_points(points, sweep);
+  state.organizer.organize(sweep);
+  const std::span<const float> turn = state.organizer.turn_rev();
   if (state.folder.is_raw && scan.is_last_of_folder) mark_if_cut_short(sweep.header, turn);
   set_times(sweep, turn);
-  state.guessed_rings += state.rings.assign(sweep, turn) == kitti::RingSource::kWraps ? 0U : 1U;
-  state.homeless_returns += state.columns.place(sweep, turn);
   raise(sweep, state.vertical_correction_deg);
   return true;
 }
@@ -165,10 +143,10 @@ bool KittiSource::has_stamps() const noexcept {
   return state_->folder.has_stamps;
 }
 std::uint64_t KittiSource::scans_with_guessed_rings() const noexcept {
-  return state_->guessed_rings;
+  return state_->organizer.scans_with_guessed_rings();
 }
 std::uint64_t KittiSource::returns_without_cell() const noexcept {
-  return state_->homeless_returns;
+  return state_->organizer.returns_without_cell();
 }
 
 }  // namespace pago

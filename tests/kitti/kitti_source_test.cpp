@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "pago/kitti/kitti_source.hpp"
 
+#include <algorithm>
 #include <limits>
 #include <set>
 
@@ -180,6 +181,16 @@ TEST_CASE("an overfull ring gives up returns evenly and counts them", "[kitti][s
   CHECK(sweep.size == 64 * 3000);
   CHECK(cells_filled(sweep) == 64 * kKittiColumns);
   CHECK(source.returns_without_cell() == 64 * (3000 - kKittiColumns));
+}
+
+TEST_CASE("scans that do not go ring by ring are counted", "[kitti][source]") {
+  KittiScan scan = round_scan(100);
+  std::ranges::reverse(scan);
+  const OneScan folder(scan);
+  KittiSource source(folder.root.path());
+  Sweep sweep(kCapacity);
+  REQUIRE(source.fill(sweep));
+  CHECK(source.scans_with_guessed_rings() == 1);
 }
 
 TEST_CASE("a damaged scan ends the run with file and byte", "[kitti][source]") {

@@ -4,7 +4,6 @@
 #include <array>
 #include <cmath>
 #include <iterator>
-#include <random>
 
 #include "folders.hpp"
 #include "pago/kitti/kitti_source.hpp"
@@ -117,55 +116,4 @@ TEST_CASE("the labelled scan keeps a return per label", "[kitti][recordings]") {
   check_rings_rise(sweep);
   check_range_image(sweep);
   CHECK_FALSE(source.fill(sweep));
-}
-
-TEST_CASE("a scan without some of its rings keeps the numbers of the others", "[kitti][recordings]") {
-  PAGO_DATA_OR_SKIP(file, "kitti/odometry_00_000000-000015/velodyne/000005.bin");
-  Sweep whole(kCapacity), sweep(kCapacity);
-  REQUIRE(KittiSource(file.parent_path(), {KittiCompensation::kAuto, 0.0, 5, 1}).fill(whole));
-  const KittiScan scan = read_binary<KittiPoint>(file);
-  for (const std::vector<int>& missing : {std::vector{63}, {62, 63}, {0}, {20}, {10, 30, 50}}) {
-    KittiScan thinned;
-    std::vector<int> rings;
-    for (std::size_t i = 0; i < scan.size(); ++i)
-      if (std::ranges::find(missing, whole.ring[i]) == missing.end()) {
-        thinned.push_back(scan[i]);
-        rings.push_back(whole.ring[i]);
-      }
-    const TemporaryPath root("_kitti");
-    write_scan(root.path() / "velodyne/0.bin", thinned);
-    KittiSource source(root.path());
-    sweep.reset();
-    REQUIRE(source.fill(sweep));
-    CHECK(source.scans_with_guessed_rings() == 1);
-    std::size_t exact = 0, near = 0;
-    for (std::size_t i = 0; i < rings.size(); ++i) {
-      exact += sweep.ring[i] == rings[i] ? 1U : 0U;
-      near += std::abs(sweep.ring[i] - rings[i]) <= 1 ? 1U : 0U;
-    }
-    INFO("without " << missing.size() << " rings from " << missing[0] << " on");
-    CAPTURE(exact, near, rings.size());
-    CHECK(near == rings.size());
-  }
-}
-
-TEST_CASE("a scan in another order gets rings by elevation, nearly all within one", "[kitti][recordings]") {
-  PAGO_DATA_OR_SKIP(folder, "kitti/odometry_00_000000-000015");
-  Sweep whole(kCapacity), sweep(kCapacity);
-  REQUIRE(KittiSource(folder).fill(whole));
-  const KittiScan scan = read_binary<KittiPoint>(folder / "velodyne/000000.bin");
-  std::vector<std::size_t> order(scan.size());
-  for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
-  std::shuffle(order.begin(), order.end(), std::mt19937(5));
-  KittiScan shuffled;
-  for (const std::size_t i : order) shuffled.push_back(scan[i]);
-  const TemporaryPath root("_kitti");
-  write_scan(root.path() / "velodyne/0.bin", shuffled);
-  KittiSource source(root.path());
-  REQUIRE(source.fill(sweep));
-  CHECK(source.scans_with_guessed_rings() == 1);
-  std::size_t near = 0;
-  for (std::size_t i = 0; i < order.size(); ++i)
-    near += std::abs(sweep.ring[i] - whole.ring[order[i]]) <= 1 ? 1U : 0U;
-  CHECK(static_cast<double>(near) / static_cast<double>(order.size()) > 0.95);
 }

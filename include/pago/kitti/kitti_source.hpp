@@ -7,16 +7,14 @@
 #include <filesystem>
 #include <memory>
 
+#include "pago/assembly/scan_organizer.hpp"
 #include "pago/config/drivers.hpp"
 #include "pago/core/sources.hpp"
 
 namespace pago {
 
-/// Columns of a KITTI scan's range image. The files have no firing index; a revolution of KITTI's HDL-64E has
-/// 2,083 (10 Hz) to 2,165 firings. Two per cent more give room where compensated scans are crowded, and leave
-/// two per cent of the cells between neighbours empty (measured on 16 scans: half of the returns lie within
-/// 0.34 columns of their azimuth, 99 % within 6.3, all within 15).
-inline constexpr int kKittiColumns = 2208;
+/// Columns of a KITTI scan's range image: one speed of rotation for all of its recordings.
+inline constexpr int kKittiColumns = kScanColumns;
 
 /// Seconds in KITTI's times.txt count from here: midnight (UTC) of the day of the first recordings,
 /// 2011-09-26.
@@ -28,16 +26,9 @@ inline constexpr std::int64_t kKittiEpochNs = 1'316'995'200'000'000'000;
 /// or the innermost folder itself. Without a stamp file the stamps are 103.6 ms apart.
 ///
 /// What a file's points become (little-endian float32 x, y, z, intensity each):
-/// - points: every one stays, in file order, so that masks have one byte per point. Those that are not finite
-///   (or beyond 1,000 km) become 0, 0, 0; these and points on the vertical axis are in no cell of the range
-///   image.
+/// - points, ring, column: as ScanOrganizer says, in file order; masks have one byte per point.
+///   scans_with_guessed_rings() counts files that do not go ring by ring as KITTI's do.
 /// - intensity: [0, 1] becomes 0-255; files that hold 0-255 are recognised and kept.
-/// - ring: the file goes ring by ring from the top, each with rising azimuth; 63 wraps tell the rings apart.
-///   Files with other counts (cropped, filtered, in another order) get rings by elevation, which is right to
-///   within one ring for 96 % of the returns; scans_with_guessed_rings() counts them.
-/// - column: by azimuth, clockwise from the rear, where KITTI's rotations start. Returns that claim the same
-///   cell move to free ones beside it, all by as little as possible and never past each other, because
-///   smoothness along a ring needs their order.
 /// - time: stamps are mid-scan, the rotation lasts from half a period before to half a period after. Returns
 ///   of uncompensated scans get the time of their azimuth; others get zero, and the sweep kCompensated.
 /// - header.sequence counts file numbers, so that missing files leave a gap (and kAfterGap). The last scan of

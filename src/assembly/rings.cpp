@@ -6,7 +6,7 @@
 #include <array>
 #include <cmath>
 
-namespace pago::kitti {
+namespace pago {
 namespace {
 
 /// Within a ring the azimuth falls back by up to 0.12 rad (parallax of near objects, compensation), between
@@ -88,4 +88,4 @@ bool RingFinder::assign_segments(Sweep& sweep, std::span<const float> turn, int 
   return true;
 }
 
-}  // namespace pago::kitti
+}  // namespace pago

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The PaGO authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "drivers/kitti/spread.hpp"
+#include "src/assembly/spread.hpp"
 
 #include <algorithm>
 #include <limits>
@@ -34,9 +34,10 @@ double least_cost(const std::vector<float>& positions, int num_cells) {
 
 }  // namespace
 
-TEST_CASE("positions get cells of their own, in order, at the least possible distance", "[kitti][spread]") {
+TEST_CASE("positions get cells of their own, in order, at the least possible distance",
+          "[assembly][spread]") {
   std::mt19937 random(4);
-  kitti::Spreader spreader(64);
+  Spreader spreader(64);
   for (int round = 0; round < 2000; ++round) {
     const int num_cells = 1 + static_cast<int>(random() % 64);
     std::vector<float> positions(random() % static_cast<unsigned>(num_cells + 1));
@@ -58,8 +59,8 @@ TEST_CASE("positions get cells of their own, in order, at the least possible dis
   }
 }
 
-TEST_CASE("positions that do not compete keep their cells", "[kitti][spread]") {
-  kitti::Spreader spreader(4);
+TEST_CASE("positions that do not compete keep their cells", "[assembly][spread]") {
+  Spreader spreader(4);
   const std::vector<float> positions{0.1F, 3.9F, 4.0F, 9.99F};
   const auto cells = spreader.spread(positions, 10);
   CHECK(std::vector<int>(cells.begin(), cells.end()) == std::vector<int>{0, 3, 4, 9});

@@ -2,23 +2,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <cstdint>
 #include <span>
 
-#include "pago/core/sweep.hpp"
+#include "pago/assembly/scan_organizer.hpp"
 #include "spread.hpp"
 
-namespace pago::kitti {
+namespace pago {
 
 /// `turn` of points that are no returns.
 inline constexpr float kNoTurn = -1.0F;
-
-/// How the rings of a scan were told apart; from certain to guessed.
-enum class RingSource : std::uint8_t {
-  kWraps,     ///< 63 wraps of the azimuth: the file's own order
-  kSegments,  ///< fewer wraps: each stretch between two got the ring nearest its mean elevation
-  kElevation  ///< no such order: each return by its own elevation
-};
 
 /// The ring, with fraction, at which KITTI's HDL-64E looks at a point (metres, sensor frame); [0, 63].
 float ring_by_elevation(float x_m, float y_m, float z_m) noexcept;
@@ -37,4 +29,4 @@ class RingFinder {
   Spreader spreader_;
 };
 
-}  // namespace pago::kitti
+}  // namespace pago

@@ -7,7 +7,7 @@
 
 #include "pago/core/aligned_array.hpp"
 
-namespace pago::kitti {
+namespace pago {
 
 /// Gives each of a row of positions a cell of its own, in their order, moving them as little as possible: the
 /// cells minimise the sum of squared distances (isotonic regression by pooling adjacent violators; Barlow et
@@ -34,4 +34,4 @@ class Spreader {
   AlignedArray<int> cells_;
 };
 
-}  // namespace pago::kitti
+}  // namespace pago

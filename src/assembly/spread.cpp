@@ -6,7 +6,7 @@
 #include <cassert>
 #include <cmath>
 
-namespace pago::kitti {
+namespace pago {
 
 std::span<const int> Spreader::spread(std::span<const float> positions, int num_cells) noexcept {
   const auto n = static_cast<int>(positions.size());
@@ -33,4 +33,4 @@ std::span<const int> Spreader::spread(std::span<const float> positions, int num_
   return cells_.first(positions.size());
 }
 
-}  // namespace pago::kitti
+}  // namespace pago

@@ -11,16 +11,16 @@
 #include "pago/core/sweep.hpp"
 #include "spread.hpp"
 
-namespace pago::kitti {
+namespace pago {
 
 /// Gives returns their columns by azimuth and fills the range image. [set-up] the constructor allocates;
 /// place() does not.
 class ColumnPlacer {
  public:
-  ColumnPlacer(std::size_t max_points, int num_columns);
+  ColumnPlacer(std::size_t max_points, int max_columns);
 
-  /// Needs sweep.size and sweep.ring, and an empty range image; writes sweep.column and the range image.
-  /// `turn` as in RingFinder. Returns how many returns found no cell.
+  /// Needs sweep.size, header.num_columns and sweep.ring, and an empty range image; writes sweep.column and
+  /// the range image. `turn` as in RingFinder. Returns how many returns found no cell.
   std::size_t place(Sweep& sweep, std::span<const float> turn) noexcept;
 
  private:
@@ -31,11 +31,10 @@ class ColumnPlacer {
   void sort_by_ring(const Sweep& sweep, std::span<const float> turn) noexcept;
   std::size_t place_ring(Sweep& sweep, int ring, std::span<const float> turn) noexcept;
 
-  int num_columns_;
   AlignedArray<Key> keys_;                               // of all returns, ring by ring
   std::array<std::size_t, kNumRings + 1> ring_begin_{};  // in keys_
   AlignedArray<float> positions_;                        // of one ring, in columns
   Spreader spreader_;
 };
 
-}  // namespace pago::kitti
+}  // namespace pago
