@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::string_view kBlanks = " \t\r";
 // Beyond this a stamp in seconds no longer fits 64 bits of nanoseconds.
-constexpr long double kLargestStamp_s = 9.2e9L;
+constexpr long double kLargestStampSeconds = 9.2e9L;
 
 template <typename Number>
 Number parse_number(std::string_view word, const std::string& where) {
@@ -52,7 +52,7 @@ std::string read_text(const std::filesystem::path& file) {
 }
 
 std::int64_t stamp_ns(const NumberRow& row, const std::string& where) {
-  if (!(std::fabs(row.first) < kLargestStamp_s))
+  if (!(std::fabs(row.first) < kLargestStampSeconds))
     throw Error(where, "its stamp is too large for seconds", "stamps are in seconds, not nanoseconds");
   return std::llround(row.first * 1e9L);
 }

@@ -43,6 +43,26 @@ SegmentError segment_error(const MatchedPose& first, const MatchedPose& last, do
   return error;
 }
 
+/// From `first` to the first pose beyond the length, if the path goes on that far.
+void add_segment(RelativeErrors& errors,
+                 const MatchedTrajectories& matched,
+                 const std::vector<double>& distance_m,
+                 std::size_t first,
+                 double length_m) {
+  const auto start = distance_m.begin() + static_cast<std::ptrdiff_t>(first);
+  const auto end = std::upper_bound(start, distance_m.end(), *start + length_m);
+  if (end == distance_m.end()) return;
+  const auto last = static_cast<std::size_t>(end - distance_m.begin());
+  const MatchedPose &from = matched.poses[first], &to = matched.poses[last];
+  if (!from.T_world_sensor_estimate || !to.T_world_sensor_estimate) {
+    ++errors.num_skipped;
+    return;
+  }
+  SegmentError& error = errors.segments.emplace_back(segment_error(from, to, length_m));
+  error.first = first;
+  error.last = last;
+}
+
 std::vector<DriftRates> rates_by_length(const RelativeErrors& errors, const std::vector<double>& lengths_m) {
   std::vector<DriftRates> rates;
   for (const double length_m : lengths_m) {
@@ -77,24 +97,10 @@ DriftRates drift_rates(const std::vector<SegmentError>& segments) {
 
 RelativeErrors relative_errors(const MatchedTrajectories& matched, const SegmentOptions& options) {
   check(options);
-  const auto& poses = matched.poses;
   const std::vector<double> distance_m = true_distances_m(matched);
   RelativeErrors errors;
-  for (std::size_t first = 0; first < poses.size(); first += static_cast<std::size_t>(options.step_rows)) {
-    for (const double length_m : options.lengths_m) {
-      const auto end = std::upper_bound(distance_m.begin() + static_cast<std::ptrdiff_t>(first),
-                                        distance_m.end(), distance_m[first] + length_m);
-      if (end == distance_m.end()) continue;
-      const auto last = static_cast<std::size_t>(end - distance_m.begin());
-      if (!poses[first].T_world_sensor_estimate || !poses[last].T_world_sensor_estimate) {
-        ++errors.num_skipped;
-        continue;
-      }
-      SegmentError& error = errors.segments.emplace_back(segment_error(poses[first], poses[last], length_m));
-      error.first = first;
-      error.last = last;
-    }
-  }
+  for (std::size_t first = 0; first < distance_m.size(); first += static_cast<std::size_t>(options.step_rows))
+    for (const double length_m : options.lengths_m) add_segment(errors, matched, distance_m, first, length_m);
   errors.overall = drift_rates(errors.segments);
   errors.by_length = rates_by_length(errors, options.lengths_m);
   return errors;

@@ -29,7 +29,7 @@ std::string local_time(std::chrono::system_clock::time_point now) {
 /// create_directory tells whether it was this call that made the folder: the one test that cannot race.
 fs::path make_unique(const fs::path& parent, const std::string& name) {
   for (int run = 1; run <= kMostRunsPerSecond; ++run) {
-    const fs::path folder = parent / (run == 1 ? name : name + "_" + std::to_string(run));
+    fs::path folder = parent / (run == 1 ? name : name + "_" + std::to_string(run));
     std::error_code fault;
     if (fs::create_directory(folder, fault)) return folder;
     if (fault && fault != std::errc::file_exists)

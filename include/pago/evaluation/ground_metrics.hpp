@@ -29,7 +29,7 @@ struct GroundCounts {
 };
 
 /// 3/4 of the height of KITTI's sensor, as the Patchwork authors' evaluation has it.
-inline constexpr float kVegetationCut_m = -0.75F * 1.73F;
+inline constexpr float kVegetationCutMetres = -0.75F * 1.73F;
 
 /// Counts one frame. `labels` are SemanticKITTI's (the low 16 bits are the class), `z_m` the points' heights
 /// in the sensor frame, `mask` not 0 where the method says ground. Error unless all three cover every point.
@@ -37,7 +37,7 @@ GroundCounts count_ground(GroundProtocol protocol,
                           std::span<const std::uint32_t> labels,
                           std::span<const float> z_m,
                           std::span<const std::uint8_t> mask,
-                          float vegetation_cut_m = kVegetationCut_m);
+                          float vegetation_cut_m = kVegetationCutMetres);
 
 /// All in [0, 1]. A ratio of nothing to nothing is 1: nothing was there and nothing was claimed.
 struct GroundScore {
