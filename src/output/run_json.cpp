@@ -79,6 +79,20 @@ Json trajectory_of(const RunTotals& totals) {
           {"health", health}};
 }
 
+/// A name that comes more than once (one "thread" per thread) holds a list.
+Json facts_of(const RunReport& report) {
+  Json facts = Json::object();
+  for (const auto& [name, value] : report.facts) {
+    if (!facts.contains(name)) {
+      facts[name] = value;
+      continue;
+    }
+    if (!facts[name].is_array()) facts[name] = Json::array({facts[name]});
+    facts[name].push_back(value);
+  }
+  return facts;
+}
+
 /// null where there is nothing of the kind.
 template <typename Counters>
 Json json_of(const std::optional<Counters>& counters) {
@@ -88,13 +102,11 @@ Json json_of(const std::optional<Counters>& counters) {
 }  // namespace
 
 std::string run_json(const RunReport& report, const RunTotals& totals) {
-  Json facts = Json::object();
-  for (const auto& [name, value] : report.facts) facts[name] = value;
   const Json json = {{"version", report.version},
                      {"source", report.source},
                      {"complaint", report.complaint},
                      {"wall_s", report.wall_s},
-                     {"facts", facts},
+                     {"facts", facts_of(report)},
                      {"trajectory", trajectory_of(totals)},
                      {"sweeps", json_of(report.sweeps)},
                      {"packets", json_of(report.packets)},

@@ -25,7 +25,7 @@ RunReport report() {
   r.version = "0.1.0";
   r.source = "drive.pcap";
   r.config_toml = "[ground]\nmethod = \"patchwork\"\n";
-  r.facts = {{"sensor", "HDL-64E S2"}};
+  r.facts = {{"sensor", "HDL-64E S2"}, {"thread", "a"}, {"thread", "b"}, {"thread", "c"}};
   r.packets = PacketCounters{};
   r.packets->received = 10;
   r.packets->decoded = 6;
@@ -84,6 +84,7 @@ TEST_CASE("run.json has every count by its cause", "[output][run_report]") {
   CHECK(json["source"] == "drive.pcap");
   CHECK(json["config"] == "[ground]\nmethod = \"patchwork\"\n");
   CHECK(json["facts"]["sensor"] == "HDL-64E S2");
+  CHECK(json["facts"]["thread"] == std::vector<std::string>{"a", "b", "c"});
   CHECK(json["packets"]["received"] == 10);
   CHECK(json["packets"]["bad"]["size"] == 2);
   CHECK(json["packets"]["bad"]["stamp"] == 1);

@@ -40,7 +40,7 @@ struct RunReport {
   std::string source;       ///< as the user named it
   std::string config_toml;  ///< the complete settings of the run
   std::vector<std::pair<std::string, std::string>>
-      facts;  ///< e.g. {"sensor", "HDL-64E S2"}, {"pose at", "end"}
+      facts;  ///< e.g. {"sensor", "HDL-64E S2"}, {"pose at", "end"}; names may repeat
   std::optional<SourceCounters> source_counters;
   std::optional<PacketCounters> packets;
   std::optional<FiringCounters> firings;
