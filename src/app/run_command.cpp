@@ -101,7 +101,11 @@ int exit_code(const RunSummary& summary, const output::RunTotals& totals, bool i
 
 int run_command(const RunOptions& options) {
   Config config = load(options);
+  const bool is_calibration_chosen = !config.hdl64.calibration.empty();
   const OpenSource source = open_source(options.source, config);
+  if (!is_calibration_chosen && !config.hdl64.calibration.empty()) {
+    std::cout << "calibration  " << config.hdl64.calibration << ", found beside the capture\n";
+  }
   Pipeline pipeline(config);
   const output::ResultsFolder results = output::create_results_folder(config.output.folder);
   auto recorder = std::make_unique<output::RunRecorder>(results.folder, config.output);

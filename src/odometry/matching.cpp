@@ -57,21 +57,59 @@ class RingNeighbours {
   std::array<Row, 2 * kRingReach + 1> rows_{};
 };
 
-/// Mean and scatter of a handful of points.
-struct Scatter {
-  int n = 0;
-  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
-  Eigen::Matrix3d sum_outer = Eigen::Matrix3d::Zero();
+/// A handful of points about an origin of their own, as squares of coordinates would drown the spread.
+class Spread {
+ public:
+  explicit Spread(const FeatureCloud& points, const Eigen::Vector3f& origin)
+      : points_(points), origin_(origin) {}
 
-  void add(const Eigen::Vector3d& p) noexcept {
-    ++n;
-    sum += p;
-    sum_outer += p * p.transpose();
+  void add(std::uint32_t position) noexcept {
+    const Eigen::Vector3d p = (points_.point(position) - origin_).cast<double>();
+    ++size_;
+    sum_ += p;
+    sum_outer_ += p * p.transpose();
   }
-  Eigen::Matrix3d covariance(const Eigen::Vector3d& mean) const noexcept {
-    return sum_outer / n - mean * mean.transpose();
+  int size() const noexcept { return size_; }
+  Eigen::Vector3d centre() const noexcept { return sum_ / size_ + origin_.cast<double>(); }
+  /// Eigenvalues ascending: the variances along the eigenvectors.
+  Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> axes() const noexcept {
+    const Eigen::Vector3d mean = sum_ / size_;
+    Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver;
+    solver.computeDirect(sum_outer_ / size_ - mean * mean.transpose());
+    return solver;
   }
+
+ private:
+  const FeatureCloud& points_;
+  Eigen::Vector3f origin_;
+  int size_ = 0;
+  Eigen::Vector3d sum_ = Eigen::Vector3d::Zero();
+  Eigen::Matrix3d sum_outer_ = Eigen::Matrix3d::Zero();
 };
+
+/// The neighbours of the feature nearest to a query, by ring.
+struct Neighbourhood {
+  RingNeighbours neighbours;
+  Spread spread;
+};
+
+template <typename Radius>
+std::optional<Neighbourhood> gather(const GridIndex& target,
+                                    const Eigen::Vector3f& query,
+                                    float radius_m,
+                                    int per_ring,
+                                    Radius neighbour_radius_m) noexcept {
+  const std::int32_t nearest = target.nearest(query, radius_m);
+  if (nearest < 0) return std::nullopt;
+  const FeatureCloud& points = target.points();
+  const Eigen::Vector3f around = points.point(static_cast<std::size_t>(nearest));
+  Neighbourhood found{RingNeighbours(points.ring[static_cast<std::size_t>(nearest)], per_ring),
+                      Spread(points, around)};
+  target.for_each_within(around, neighbour_radius_m(around), [&](std::uint32_t i, float distance_sq) {
+    found.neighbours.offer(i, distance_sq, points.ring[i]);
+  });
+  return found;
+}
 
 /// Adds the nearest non-empty ring on one side of the centre; returns whether there was one.
 bool add_side(const RingNeighbours& neighbours, int sign, const auto& add) noexcept {
@@ -81,8 +119,8 @@ bool add_side(const RingNeighbours& neighbours, int sign, const auto& add) noexc
   return false;
 }
 
-/// Rings fan out with the range: on level ground neighbouring rings are range^2 * step / height apart.
-float neighbour_radius_m(const Eigen::Vector3f& point) noexcept {
+/// How far to look for the next ring: on level ground neighbouring rings are range^2 * step / height apart.
+float ring_spacing_m(const Eigen::Vector3f& point) noexcept {
   constexpr float kRingStep_rad = 0.009F, kHeight_m = 1.7F;
   return std::clamp(1.5F * point.squaredNorm() * kRingStep_rad / kHeight_m, 0.6F, 5.0F);
 }
@@ -92,60 +130,43 @@ float neighbour_radius_m(const Eigen::Vector3f& point) noexcept {
 std::optional<Plane> find_plane(const GridIndex& target,
                                 const Eigen::Vector3f& query,
                                 float radius_m) noexcept {
-  const std::int32_t nearest = target.nearest(query, radius_m);
-  if (nearest < 0) return std::nullopt;
-  const auto& points = target.points();
-  const Eigen::Vector3f around = points.point(static_cast<std::size_t>(nearest));
-  RingNeighbours neighbours(points.ring[static_cast<std::size_t>(nearest)], kPerRing);
-  target.for_each_within(around, neighbour_radius_m(around), [&](std::uint32_t i, float distance_sq) {
-    neighbours.offer(i, distance_sq, points.ring[i]);
-  });
-
-  Scatter scatter;
-  // About the nearest feature, as squares of coordinates would drown the spread.
-  const auto add = [&](std::uint32_t i) { scatter.add((points.point(i) - around).cast<double>()); };
+  auto found = gather(target, query, radius_m, kPerRing, ring_spacing_m);
+  if (!found) return std::nullopt;
+  auto& [neighbours, spread] = *found;
+  const auto add = [&spread](std::uint32_t i) { spread.add(i); };
   neighbours.visit(0, add);
   const bool below = add_side(neighbours, -1, add), above = add_side(neighbours, +1, add);
-  if ((!below && !above) || scatter.n < 3) return std::nullopt;
+  if ((!below && !above) || spread.size() < 3) return std::nullopt;
 
-  const Eigen::Vector3d mean = scatter.sum / scatter.n;
-  Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> eigen;
-  eigen.computeDirect(scatter.covariance(mean));
-  const Eigen::Vector3d spread = eigen.eigenvalues();
+  const auto axes = spread.axes();
+  const Eigen::Vector3d variance = axes.eigenvalues();
   constexpr double kMaxThickness_m = 0.1, kMinWidth_m = 0.03, kMaxFlatness = 0.1;
-  if (!(spread[0] < kMaxThickness_m * kMaxThickness_m) || !(spread[1] > kMinWidth_m * kMinWidth_m) ||
-      !(spread[0] < kMaxFlatness * spread[1])) {
+  if (!(variance[0] < kMaxThickness_m * kMaxThickness_m) || !(variance[1] > kMinWidth_m * kMinWidth_m) ||
+      !(variance[0] < kMaxFlatness * variance[1])) {
     return std::nullopt;
   }
-  return Plane{mean + around.cast<double>(), eigen.eigenvectors().col(0)};
+  return Plane{spread.centre(), axes.eigenvectors().col(0)};
 }
 
 std::optional<Line> find_line(const GridIndex& target,
                               const Eigen::Vector3f& query,
                               float radius_m) noexcept {
-  const std::int32_t nearest = target.nearest(query, radius_m);
-  if (nearest < 0) return std::nullopt;
-  const auto& points = target.points();
-  const Eigen::Vector3f around = points.point(static_cast<std::size_t>(nearest));
-  RingNeighbours neighbours(points.ring[static_cast<std::size_t>(nearest)], 1);
   constexpr float kNeighbourRadius_m = 1.0F;
-  target.for_each_within(around, kNeighbourRadius_m, [&](std::uint32_t i, float distance_sq) {
-    neighbours.offer(i, distance_sq, points.ring[i]);
-  });
+  auto found = gather(target, query, radius_m, 1, [](const Eigen::Vector3f&) { return kNeighbourRadius_m; });
+  if (!found) return std::nullopt;
+  auto& [neighbours, spread] = *found;
+  for (int offset = -kRingReach; offset <= kRingReach; ++offset) {
+    neighbours.visit(offset, [&spread](std::uint32_t i) { spread.add(i); });
+  }
+  if (spread.size() < 2) return std::nullopt;
 
-  Scatter scatter;
-  const auto add = [&](std::uint32_t i) { scatter.add((points.point(i) - around).cast<double>()); };
-  for (int offset = -kRingReach; offset <= kRingReach; ++offset) neighbours.visit(offset, add);
-  if (scatter.n < 2) return std::nullopt;
-
-  const Eigen::Vector3d mean = scatter.sum / scatter.n;
-  Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> eigen;
-  eigen.computeDirect(scatter.covariance(mean));
-  const Eigen::Vector3d spread = eigen.eigenvalues();
+  const auto axes = spread.axes();
+  const Eigen::Vector3d variance = axes.eigenvalues();
   constexpr double kMinElongation = 3.0, kMinLength_m = 0.02;  // LeGO-LOAM's map: l1 > 3 l2
-  if (!(spread[2] > kMinElongation * spread[1]) || !(spread[2] > kMinLength_m * kMinLength_m))
+  if (!(variance[2] > kMinElongation * variance[1]) || !(variance[2] > kMinLength_m * kMinLength_m)) {
     return std::nullopt;
-  return Line{mean + around.cast<double>(), eigen.eigenvectors().col(2)};
+  }
+  return Line{spread.centre(), axes.eigenvectors().col(2)};
 }
 
 }  // namespace pago::odometry
