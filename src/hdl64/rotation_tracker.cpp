@@ -14,8 +14,6 @@ constexpr double kPacketPeriod_s = static_cast<double>(kPacketPeriod_ns) * 1e-9;
 
 /// An azimuth this far from the line is wrong (a damaged packet) or the line is.
 constexpr double kGate_rev = 0.5 / 360.0;
-/// What a head may deviate from its speed while nothing is received.
-constexpr double kGatePerTurn = 0.02;
 /// Wider gate for the first guess: a rate from within packets is good to one encoder step per packet length.
 constexpr double kFirstGate_rev = kEncoderStep_rev;
 constexpr double kFirstGate_rev_s = kEncoderStep_rev / (5.0 * kPeriod_s);
@@ -180,12 +178,10 @@ bool RotationTracker::prime(std::span<const PacketAzimuths> block, bool same_clo
 
 bool RotationTracker::add(const PacketAzimuths& packet) noexcept {
   if (packet.time_ns <= newest_ns_) return true;
-  const double silence_s = std::max(0.0, seconds(packet.time_ns - newest_ns_) - kPacketPeriod_s);
-  const double gate_rev = kGate_rev + kGatePerTurn * std::abs(rate_rev_s()) * silence_s;
   FadingLine line = slow_;
   line.advance(packet.time_ns);
   LineMoments seen;
-  const int fitting = collect(line, packet, gate_rev, seen);
+  const int fitting = collect(line, packet, kGate_rev, seen);
   if (fitting == 0) return false;
 
   rejected_ += static_cast<std::uint64_t>(kFirings - fitting);

@@ -161,6 +161,16 @@ TEST_CASE("a clock that leaps to GPS time without any silence restarts", "[hdl64
   CHECK(reading.time_ns == kNoon + 2000 * kSecond + 7 * 288'000);
 }
 
+TEST_CASE("stale packets among good ones do not restart the clock", "[hdl64][device_clock]") {
+  DeviceClock clock;
+  clock.read(us(100.0), kNoon);
+  for (unsigned i = 1; i < 50; ++i) {
+    REQUIRE(clock.read(us(99.0) + 288 * i, kNoon + 288'000 * i).verdict == Verdict::kImplausible);
+    REQUIRE(clock.read(us(100.0) + 288 * i, kNoon + 288'000 * i).verdict == Verdict::kFits);
+  }
+  CHECK(clock.restarts() == 0);
+}
+
 TEST_CASE("a few packets that come much too late do not restart the clock", "[hdl64][device_clock]") {
   DeviceClock clock;
   clock.read(us(100.0), kNoon);

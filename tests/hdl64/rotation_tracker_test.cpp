@@ -224,13 +224,14 @@ TEST_CASE("turns are counted, not wrapped", "[hdl64][rotation_tracker]") {
 
 TEST_CASE("a head that is suddenly elsewhere is noticed, and priming again finds it",
           "[hdl64][rotation_tracker]") {
+  const double leap_rev = GENERATE(0.37, -0.3, -0.06, 0.5);
   const std::vector<PacketAzimuths> before = encode_all(steady(10.0), 0.3);
   RotationTracker tracker;
   tracker.prime(std::span(before).first(kPrimed), false);
   for (const auto& packet : before) REQUIRE(tracker.add(packet));
   const double counted = tracker.revolutions(before.back().time_ns);
 
-  const Turning after = [](double t) { return 10.0 * t + 0.87; };  // jumped by 0.37 turns
+  const Turning after = [leap_rev](double t) { return 10.0 * t + 0.5 + leap_rev; };
   std::vector<PacketAzimuths> block;
   for (std::int64_t i = 0; i < 64; ++i)
     block.push_back(encode(after, static_cast<std::int64_t>(before.size()) + i));
@@ -243,6 +244,22 @@ TEST_CASE("a head that is suddenly elsewhere is noticed, and priming again finds
         tracker.revolutions(packet.time_ns) - after(static_cast<double>(packet.time_ns) * 1e-9);
     REQUIRE(std::abs(wrapped_deg(error)) < 0.01);
     REQUIRE(tracker.revolutions(packet.time_ns) > counted);
+  }
+}
+
+TEST_CASE("a head that drifted during a short silence is not taken for another",
+          "[hdl64][rotation_tracker]") {
+  // 40 ms at 0.25 % less speed: 0.36 degrees behind, and soon believed.
+  const Turning drifted = [](double t) { return 10.0 * t - 0.025 * std::clamp(t - 0.5, 0.0, 0.04); };
+  RotationTracker tracker;
+  const std::vector<PacketAzimuths> packets = encode_all(drifted, 1.0);
+  tracker.prime(std::span(packets).first(kPrimed), false);
+  for (const auto& packet : packets) {
+    const double t = static_cast<double>(packet.time_ns) * 1e-9;
+    if (t > 0.5 && t < 0.54) continue;
+    REQUIRE(tracker.add(packet));
+    const double error_deg = wrapped_deg(tracker.revolutions(packet.time_ns) - drifted(t));
+    REQUIRE(std::abs(error_deg) < (t < 0.54 ? 0.01 : t < 0.55 ? 0.4 : 0.05));
   }
 }
 
