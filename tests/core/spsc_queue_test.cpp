@@ -95,11 +95,12 @@ TEST_CASE("the two sides write to different cache lines", "[core][spsc_queue]") 
 
 TEST_CASE("two threads exchange every element once, whole and in order", "[core][spsc_queue]") {
   const auto capacity = GENERATE(1U, 2U, 16U, 1024U);
-  constexpr std::uint64_t kCount = 200'000;
+  // At capacity 1 each element costs two turns of the scheduler on a loaded machine.
+  const std::uint64_t count = 10'000 + 200 * capacity;
   SpscQueue<Element> queue(capacity, kBeforeWrap);
-  std::thread producer([&] { push_all(queue, kCount); });
+  std::thread producer([&] { push_all(queue, count); });
   std::uint64_t num_wrong = 0;
-  for (std::uint64_t i = 0; i < kCount; ++i) {
+  for (std::uint64_t i = 0; i < count; ++i) {
     Element element;
     while (!queue.try_pop(element)) std::this_thread::yield();
     if (!element.is_of(i)) ++num_wrong;
@@ -110,7 +111,7 @@ TEST_CASE("two threads exchange every element once, whole and in order", "[core]
 }
 
 TEST_CASE("the size seen by a third thread stays between nothing and the capacity", "[core][spsc_queue]") {
-  constexpr std::uint64_t kCount = 100'000;
+  constexpr std::uint64_t kCount = 10'000;
   SpscQueue<Element> queue(4, kBeforeWrap);
   std::atomic<bool> done{false};
   std::uint32_t largest = 0;

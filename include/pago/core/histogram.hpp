@@ -21,7 +21,7 @@ class LatencyHistogram {
  public:
   static constexpr int kRangeBits = 37;
 
-  /// [any thread, one at a time] Real-time safe, about 2 ns. Durations below 0 count as 0 (a clock that was
+  /// [any thread, one at a time] Real-time safe, about 3 ns. Durations below 0 count as 0 (a clock that was
   /// set back).
   void record(std::int64_t duration_ns) noexcept {
     const std::int64_t ns = std::max<std::int64_t>(0, duration_ns);
