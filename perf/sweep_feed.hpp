@@ -22,7 +22,6 @@ class SweepFeed final : private SweepExchange {
 
   /// How many packets have been used.
   std::size_t packets_used() const noexcept { return next_datagram_; }
-  PacketCounters packets() const noexcept { return ingest_.packets(); }
   std::string refusal() const { return ingest_.refusal(); }
 
  private:
