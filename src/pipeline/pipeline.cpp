@@ -3,9 +3,12 @@
 #include "pago/pipeline/pipeline.hpp"
 
 #include <exception>
+#include <utility>
 
 #include "exchange.hpp"
 #include "pago/assembly/packet_ingest.hpp"
+#include "pago/config/load.hpp"
+#include "pago/core/error.hpp"
 #include "pago/features/features.hpp"
 #include "pago/ground/segmenter.hpp"
 #include "pago/odometry/odometry.hpp"
@@ -64,12 +67,19 @@ struct Pipeline::Parts {
       push(freed, sweep);
     };
 
+    if (std::exchange(has_run, true)) throw Error("pipeline", "runs once", "make a new one for another run");
     const PipelineConfig& on = config.pipeline;
-    //                                              thread                        does                writes
-    platform::Thread estimate_thread(plan("estimate", on.estimate),
-                                     [&] { run_sweeps(estimate, sweeps, finish); });
-    platform::Thread front_thread(plan("front", on.front), [&] { run_parts(front, parts, sweeps); });
-    platform::Thread ingest_thread(plan("ingest", on.ingest), [&] { ingest(), exchange.end(); });
+    platform::Thread estimate_thread, front_thread, ingest_thread;
+    try {
+      //                                              thread                        does                writes
+      estimate_thread = {plan("estimate", on.estimate), [&] { run_sweeps(estimate, sweeps, finish); }};
+      front_thread = {plan("front", on.front), [&] { run_parts(front, parts, sweeps); }};
+      ingest_thread = {plan("ingest", on.ingest), [&] { ingest(), exchange.end(); }};
+    } catch (...) {  // a thread could not be made: end those that wait already
+      exchange.end();
+      push(sweeps, static_cast<Sweep*>(nullptr));
+      throw;
+    }
 
     for (const auto* thread : {&ingest_thread, &front_thread, &estimate_thread}) {
       summary.threads.push_back(platform::describe(thread->plan(), thread->grant()));
@@ -113,11 +123,15 @@ struct Pipeline::Parts {
   platform::Channel<Published> records{256};
   ReplayExchange exchange{ring, freed, parts};
   std::uint64_t posed = 0;
+  bool has_run = false;
   std::atomic<double> done{0.0}, total{0.0};
   std::atomic<bool> is_abandoned{false};
 };
 
-Pipeline::Pipeline(const Config& config) : parts_(std::make_unique<Parts>(config)) {}
+Pipeline::Pipeline(const Config& config) {
+  validate(config);
+  parts_ = std::make_unique<Parts>(config);
+}
 Pipeline::~Pipeline() = default;
 
 RunSummary Pipeline::run(PacketSource& source,
@@ -145,6 +159,7 @@ RunSummary Pipeline::run(PacketSource& source,
         summary.sweeps.dropped[static_cast<std::size_t>(SweepDrop::kNoFreeSweep)] = sweeps.no_free_sweep;
         summary.incomplete_sweeps = sweeps.incomplete;
         summary.sensor = hdl64::name(ingest.sensor());
+        summary.clock_restarts = ingest.clock_restarts();
         summary.failure = ingest.refusal();
       },
       observer, summary);
@@ -163,6 +178,8 @@ RunSummary Pipeline::run(SweepSource& source, Observer& observer, const std::ato
           Sweep* sweep = p.exchange.acquire();
           if (!source.fill(*sweep)) break;
           ++summary.sweeps.opened;
+          summary.sweeps.partial += sweep->header.is_posed() ? 0 : 1;
+          summary.incomplete_sweeps += sweep->header.has(kIncomplete) ? 1 : 0;
           p.exchange.hand_on({sweep, sweep->size, sweep->header.num_columns, true});
         }
         summary.interrupted = !goes_on;

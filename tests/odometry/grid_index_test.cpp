@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "pago/odometry/grid_index.hpp"
 
+#include <limits>
 #include <nanoflann.hpp>
 #include <random>
 #include <set>
@@ -104,4 +105,15 @@ TEST_CASE("an empty index finds nothing, and rebuilding replaces the contents", 
   REQUIRE(grid.nearest({0.0F, 0.0F, 0.0F}, 5.0F) == 0);
   grid.build(FeatureCloud(10));
   REQUIRE(grid.nearest({0.0F, 0.0F, 0.0F}, 5.0F) == -1);
+}
+
+TEST_CASE("a query that is no number finds nothing and harms nothing", "[odometry][grid_index]") {
+  FeatureCloud cloud(2);
+  cloud.add({1.0F, 0.0F, 0.0F}, 0.0F, 0);
+  GridIndex grid(2);
+  grid.build(cloud);
+  const float nan = std::numeric_limits<float>::quiet_NaN(),
+              infinite = std::numeric_limits<float>::infinity();
+  REQUIRE(grid.nearest({nan, nan, nan}, 5.0F) == -1);
+  REQUIRE(grid.nearest({infinite, -infinite, 0.0F}, 5.0F) == -1);
 }

@@ -164,3 +164,21 @@ TEST_CASE("the same sweeps give the same bytes", "[odometry][stage]") {
   const auto a = poses(), b = poses();
   REQUIRE(std::memcmp(a.data(), b.data(), a.size() * sizeof(double)) == 0);
 }
+
+TEST_CASE("a sensor clock that begins anew, or leaps, costs trust but not the pose", "[odometry][stage]") {
+  for (const std::int64_t leap_ns : {-1'000'000'000'000LL, -100'000'000LL, 1'000'000'000'000LL}) {
+    Drive drive;
+    const Vector6d speed = twist(5.0, 0.0);
+    for (int i = 0; i < 4; ++i) drive.next(speed);
+    const Eigen::Vector3d before = drive.sweep.estimate.T_odom_sensor_first.translation();
+    drive.now_ns += leap_ns;
+    const Estimate& estimate = drive.next(speed);
+    INFO("leap " << leap_ns);
+    REQUIRE(estimate.health == Health::kDegraded);
+    REQUIRE(estimate.reason == HealthReason::kTimeGap);
+    REQUIRE((estimate.T_odom_sensor_first.translation() - before).norm() < 1.0);
+    REQUIRE(drive.next(speed).health == Health::kOk);
+    REQUIRE((drive.sweep.estimate.T_odom_sensor_first.translation() - before).x() ==
+            Approx(1.0).margin(0.15));
+  }
+}

@@ -62,14 +62,14 @@ bool same_poses(const Collector& a, const Collector& b) {
 /// Empty compensated scans, as many as asked for.
 class ScanSource final : public SweepSource {
  public:
-  explicit ScanSource(int count, std::string complaint = {})
-      : count_(count), complaint_(std::move(complaint)) {}
+  explicit ScanSource(int count, std::string complaint = {}, int partial = -1)
+      : count_(count), partial_(partial), complaint_(std::move(complaint)) {}
   bool fill(Sweep& sweep) noexcept override {
     if (next_ == count_) return false;
     sweep.header.sequence = static_cast<std::uint64_t>(next_);
     sweep.header.start_ns = next_ * std::int64_t{100'000'000};
     sweep.header.end_ns = sweep.header.start_ns + 100'000'000;
-    sweep.header.flags = kCompensated;
+    sweep.header.flags = kCompensated | (next_ == partial_ ? kPartialEnd : 0U);
     ++next_;
     return true;
   }
@@ -79,7 +79,7 @@ class ScanSource final : public SweepSource {
   std::string complaint() const override { return complaint_; }
 
  private:
-  int next_ = 0, count_;
+  int next_ = 0, count_, partial_;
   std::string complaint_;
 };
 
@@ -172,6 +172,24 @@ TEST_CASE("scans of a folder get a pose each", "[pipeline]") {
   REQUIRE(summary.balanced());
   REQUIRE(summary.sweeps.posed == 7);
   REQUIRE(collector.records.size() == 7);
+}
+
+TEST_CASE("a last scan cut short is counted as partial, not as lost", "[pipeline]") {
+  ScanSource source(5, {}, 4);
+  Collector collector;
+  Pipeline pipeline(small_config());
+  const RunSummary summary = pipeline.run(source, collector, collector.stop);
+  REQUIRE(summary.balanced());
+  REQUIRE(summary.sweeps.posed == 4);
+  REQUIRE(summary.sweeps.partial == 1);
+}
+
+TEST_CASE("a pipeline runs once", "[pipeline]") {
+  ScanSource source(1);
+  Collector collector;
+  Pipeline pipeline(small_config());
+  pipeline.run(source, collector, collector.stop);
+  REQUIRE_THROWS_AS(pipeline.run(source, collector, collector.stop), Error);
 }
 
 TEST_CASE("a source that breaks off fails the run after what it gave", "[pipeline]") {

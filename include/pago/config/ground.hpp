@@ -117,7 +117,7 @@ struct GroundConfig {
 
 template <typename Visitor>
 void describe(Visitor& v, GroundConfig& c) {
-  v("method", c.method, "ground segmentation, one of `pago segment --list`");
+  v("method", c.method, "ground segmentation: patchwork or lego");
   v.section("patchwork", c.patchwork,
             "a plane per polar bin, judged by tilt, height and flatness (Lim 2021)");
   v.section("lego", c.lego, "the slope between vertical neighbours (Shan and Englot 2018)");

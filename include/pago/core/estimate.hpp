@@ -24,6 +24,8 @@ enum class HealthReason : std::uint8_t {
   kImplausibleMotion,  ///< the registration contradicts the motion model beyond its gate
   kNotFinite,          ///< the solver met NaN or infinity
   kIncompleteSweep,    ///< part of the rotation is missing (lost packets, overfull sweep)
+  kTimeGap,            ///< sensor time went back or stood still: the motion is unknown
+  kRefusedScan,        ///< Odometry was given a scan that it cannot use
   kCount
 };
 
@@ -43,7 +45,7 @@ struct Estimate {
   Matrix6d covariance = Matrix6d::Zero();
   Health health = Health::kInit;
   HealthReason reason = HealthReason::kFirstSweep;
-  bool has_pose = false;  ///< false for partial sweeps at either end of a run and for superseded ones
+  bool has_pose = false;  ///< false for partial sweeps at either end of a run, superseded and refused ones
   std::uint16_t iterations = 0;
   std::uint32_t edge_matches = 0, planar_matches = 0;
   float edge_rms_m = 0.0F, planar_rms_m = 0.0F;

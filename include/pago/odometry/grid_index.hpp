@@ -51,8 +51,9 @@ class GridIndex {
 
   /// Points beyond the grid count in its outermost cells.
   static int cell_coordinate(float metres) noexcept {
-    const float clamped = std::clamp(metres / kCellSize_m + kSide / 2, 0.0F, static_cast<float>(kSide - 1));
-    return static_cast<int>(clamped);
+    const float cell = metres / kCellSize_m + kSide / 2;
+    if (!(cell > 0.0F)) return 0;  // NaN too
+    return cell < kSide - 1 ? static_cast<int>(cell) : kSide - 1;
   }
   static std::size_t cell(int cx, int cy) noexcept { return static_cast<std::size_t>(cy * kSide + cx); }
 

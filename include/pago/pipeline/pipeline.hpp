@@ -33,6 +33,7 @@ struct RunSummary {
   FiringCounters firings;  ///< packet runs only
   SweepCounters sweeps;
   std::uint64_t incomplete_sweeps = 0;  ///< posed, but more than 10 % of the rotation was missing
+  std::uint64_t clock_restarts = 0;     ///< of the sensor's clock: power cycles, GPS found
   std::string sensor;                   ///< what the stream came from, e.g. "HDL-64E S2/S3, single return"
   std::vector<std::string> threads;     ///< what each thread asked for and got
   std::string complaint;  ///< the source's own words if it ended early; what came before was used

@@ -1,0 +1,145 @@
+// SPDX-FileCopyrightText: 2026 The PaGO authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "pago/pipeline/odometry.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "pago/assembly/scan_organizer.hpp"
+#include "pago/config/load.hpp"
+#include "pago/features/features.hpp"
+#include "pago/ground/segmenter.hpp"
+#include "pago/odometry/odometry.hpp"
+
+namespace pago {
+namespace {
+
+constexpr float kMostTime_s = 2.0F;  // fits the sweep's 32 bits of nanoseconds
+
+bool fits(std::size_t size, const Scan& scan) noexcept {
+  return size == 0 || size == scan.points_m.size();
+}
+
+std::int64_t middle_ns(const Scan& scan) noexcept {
+  return scan.stamp_ns + scan.duration_ns / 2;
+}
+
+/// What is wrong with a scan by itself; empty if nothing.
+std::string_view find_fault(const Scan& scan, std::size_t max_points) noexcept {
+  constexpr std::int64_t kMostStamp_ns = std::int64_t{1} << 62, kMostDuration_ns = 1'000'000'000;
+  const auto is_time = [](float time_s) { return std::abs(time_s) <= kMostTime_s; };  // false for NaN
+  const auto is_ring = [](std::uint8_t ring) { return ring < kNumRings; };
+  if (scan.points_m.size() > max_points) return "more points than assembly.max_returns";
+  if (!fits(scan.times_s.size(), scan)) return "times_s and points_m differ in length";
+  if (!fits(scan.rings.size(), scan)) return "rings and points_m differ in length";
+  if (!std::ranges::all_of(scan.times_s, is_time)) return "a time is not within -2 to 2 s after the stamp";
+  if (!std::ranges::all_of(scan.rings, is_ring)) return "a ring is above 63";
+  if (scan.duration_ns < 0 || scan.duration_ns > kMostDuration_ns)
+    return "duration_ns is not within 0 to 1 s";
+  if (scan.stamp_ns < -kMostStamp_ns || scan.stamp_ns > kMostStamp_ns) return "stamp_ns is absurd";
+  return {};
+}
+
+SweepHeader header_of(const Scan& scan, std::uint64_t sequence) noexcept {
+  SweepHeader header;
+  header.sequence = sequence;
+  header.start_ns = header.first_arrival_ns = scan.stamp_ns;
+  header.end_ns = header.last_arrival_ns = scan.stamp_ns + scan.duration_ns;
+  header.num_columns = header.firings_received = static_cast<std::uint32_t>(scan_columns(scan.duration_ns));
+  header.rotation_rev = 1.0F;
+  header.flags = scan.times_s.empty() ? kCompensated : 0U;
+  return header;
+}
+
+void copy_points(const Scan& scan, Sweep& sweep) noexcept {
+  sweep.size = static_cast<std::uint32_t>(scan.points_m.size());
+  for (std::size_t i = 0; i < scan.points_m.size(); ++i) {
+    sweep.x_m[i] = scan.points_m[i].x();
+    sweep.y_m[i] = scan.points_m[i].y();
+    sweep.z_m[i] = scan.points_m[i].z();
+  }
+  std::ranges::copy(scan.rings, sweep.ring.begin());
+  std::fill_n(sweep.time_offset_ns.begin(), sweep.size, 0);
+  std::ranges::transform(scan.times_s, sweep.time_offset_ns.begin(), [](float time_s) {
+    return static_cast<std::int32_t>(std::lround(static_cast<double>(time_s) * 1e9));
+  });
+}
+
+}  // namespace
+
+struct Odometry::Parts {
+  Parts(const Config& c, std::uint32_t max_returns)
+      : sweep(max_returns),
+        organizer(max_returns),
+        segmenter(ground::make_segmenter(c.ground, c.mount, max_returns)),
+        extractor(c.features, max_returns),
+        odometer(c.odometry, max_returns) {}
+
+  void run_stages() noexcept {
+    Chain stages(*segmenter, extractor, odometer);
+    stages.begin(sweep);
+    stages.accept({&sweep, sweep.size, sweep.header.num_columns, true});
+    stages.finish(sweep);
+  }
+
+  Sweep sweep;
+  ScanOrganizer organizer;
+  std::unique_ptr<ground::Segmenter> segmenter;
+  features::FeaturesStage extractor;
+  odometry::OdometryStage odometer;
+
+  std::uint64_t sequence = 0;  // of the next scan
+  std::int64_t last_middle_ns = 0;
+  std::string_view refusal;
+};
+
+Odometry::Odometry(const Config& config) {
+  validate(config);
+  parts_ = std::make_unique<Parts>(config, static_cast<std::uint32_t>(config.assembly.max_returns));
+}
+Odometry::~Odometry() = default;
+Odometry::Odometry(Odometry&&) noexcept = default;
+Odometry& Odometry::operator=(Odometry&&) noexcept = default;
+
+Estimate Odometry::process(const Scan& scan) noexcept {
+  Parts& p = *parts_;
+  p.sweep.reset();
+  p.refusal = find_fault(scan, max_points());
+  if (p.refusal.empty() && p.sequence > 0 && middle_ns(scan) <= p.last_middle_ns)
+    p.refusal = "the scan is not later than the one before";
+  if (!p.refusal.empty()) {
+    Estimate nothing;
+    nothing.stamp_ns = scan.stamp_ns;
+    nothing.health = Health::kLost;
+    nothing.reason = HealthReason::kRefusedScan;
+    return nothing;
+  }
+  p.last_middle_ns = middle_ns(scan);
+  p.sweep.header = header_of(scan, p.sequence++);
+  copy_points(scan, p.sweep);
+  if (scan.rings.empty()) {
+    p.organizer.organize(p.sweep);
+  } else {
+    p.organizer.place_columns(p.sweep);
+  }
+  p.run_stages();
+  return p.sweep.estimate;
+}
+
+std::span<const std::uint8_t> Odometry::ground() const noexcept {
+  return parts_->sweep.ground.first(parts_->sweep.size);
+}
+std::string_view Odometry::refusal() const noexcept {
+  return parts_->refusal;
+}
+std::size_t Odometry::max_points() const noexcept {
+  return parts_->sweep.capacity();
+}
+std::uint64_t Odometry::scans_with_guessed_rings() const noexcept {
+  return parts_->organizer.scans_with_guessed_rings();
+}
+std::uint64_t Odometry::points_left_out() const noexcept {
+  return parts_->organizer.returns_without_cell();
+}
+
+}  // namespace pago
