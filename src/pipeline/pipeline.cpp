@@ -178,8 +178,8 @@ RunSummary Pipeline::run(SweepSource& source, Observer& observer, const std::ato
           Sweep* sweep = p.exchange.acquire();
           if (!source.fill(*sweep)) break;
           ++summary.sweeps.opened;
-          summary.sweeps.partial += sweep->header.is_posed() ? 0 : 1;
-          summary.incomplete_sweeps += sweep->header.has(kIncomplete) ? 1 : 0;
+          summary.sweeps.partial += sweep->header.is_posed() ? 0U : 1U;
+          summary.incomplete_sweeps += sweep->header.has(kIncomplete) ? 1U : 0U;
           p.exchange.hand_on({sweep, sweep->size, sweep->header.num_columns, true});
         }
         summary.interrupted = !goes_on;
