@@ -14,7 +14,12 @@ namespace pago::ground {
 
 /// Ground segmentation: decides for every return of a sweep whether the vehicle could stand on what it hit.
 /// Satisfies Stage: `finish` leaves ground[i] = kGround or kNonGround for every i < size, and writes nothing
-/// else. [front thread] begin, accept, finish: real-time safe, noexcept, deterministic.
+/// else. Returns that are zero or not finite are non-ground. Parts given to `accept` only move work forward:
+/// the mask is the same with any of them, or none. [front thread] begin, accept, finish: real-time safe,
+/// noexcept, deterministic; a sweep must not hold more returns than the segmenter was made for.
+///
+/// Coordinates are the sensor's; methods level them by the mount's roll and pitch, and expect the ground
+/// mount.height_m below the sensor. Settings, with units, ranges and sources: config/ground.hpp.
 class Segmenter {
  public:
   virtual ~Segmenter() = default;
