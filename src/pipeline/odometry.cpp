@@ -20,10 +20,6 @@ bool fits(std::size_t size, const Scan& scan) noexcept {
   return size == 0 || size == scan.points_m.size();
 }
 
-std::int64_t middle_ns(const Scan& scan) noexcept {
-  return scan.stamp_ns + scan.duration_ns / 2;
-}
-
 /// What is wrong with a scan by itself; empty if nothing.
 std::string_view find_fault(const Scan& scan, std::size_t max_points) noexcept {
   constexpr std::int64_t kMostStamp_ns = std::int64_t{1} << 62, kMostDuration_ns = 1'000'000'000;
@@ -89,7 +85,6 @@ struct Odometry::Parts {
   odometry::OdometryStage odometer;
 
   std::uint64_t sequence = 0;  // of the next scan
-  std::int64_t last_middle_ns = 0;
   std::string_view refusal;
 };
 
@@ -105,8 +100,6 @@ Estimate Odometry::process(const Scan& scan) noexcept {
   Parts& p = *parts_;
   p.sweep.reset();
   p.refusal = find_fault(scan, max_points());
-  if (p.refusal.empty() && p.sequence > 0 && middle_ns(scan) <= p.last_middle_ns)
-    p.refusal = "the scan is not later than the one before";
   if (!p.refusal.empty()) {
     Estimate nothing;
     nothing.stamp_ns = scan.stamp_ns;
@@ -114,7 +107,6 @@ Estimate Odometry::process(const Scan& scan) noexcept {
     nothing.reason = HealthReason::kRefusedScan;
     return nothing;
   }
-  p.last_middle_ns = middle_ns(scan);
   p.sweep.header = header_of(scan, p.sequence++);
   copy_points(scan, p.sweep);
   if (scan.rings.empty()) {

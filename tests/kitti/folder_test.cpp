@@ -140,11 +140,20 @@ TEST_CASE("folders that hold no sequence are refused with a reason and a hint", 
   CHECK_THAT(kitti_refusal(root.path()), Contains("same number"));
 }
 
+TEST_CASE("stamps that stand still or go back are refused by line", "[kitti][folder]") {
+  const TemporaryPath file(".txt");
+  for (const char* second : {"0.1", "0.0"}) {
+    write_text(file.path(), "0.1\n" + std::string(second) + "\n");
+    CHECK_THROWS_WITH(kitti::read_seconds(file.path()),
+                      Contains(":2: '" + std::string(second) + "' is not later"));
+  }
+}
+
 TEST_CASE("dates of raw recordings are read to the nanosecond", "[kitti][folder]") {
   const TemporaryPath file(".txt");
-  write_text(file.path(), "2011-09-26 13:02:25.951199337\n2000-01-01 00:00:00\n");
+  write_text(file.path(), "2000-01-01 00:00:00\n2011-09-26 13:02:25.951199337\n");
   CHECK(kitti::read_dates(file.path()) ==
-        std::vector<std::int64_t>{1'317'042'145'951'199'337, 946'684'800'000'000'000});
+        std::vector<std::int64_t>{946'684'800'000'000'000, 1'317'042'145'951'199'337});
   for (const char* bad :
        {"2011-13-26 13:02:25.9", "2011-09-26", "2011-09-26 25:02:25", "0.5", "2011-09-26 13:02:25 x"}) {
     write_text(file.path(), bad);

@@ -50,14 +50,15 @@ struct Scan {
 ///   - there are more points than max_points();
 ///   - times_s or rings are not empty and not as many as the points, a time is beyond +-2 s or not a number,
 ///     or a ring is above 63;
-///   - duration_ns is not within 0 to 1 s, stamp_ns is beyond 2^62, or the scan's middle is not later than
-///     that of the scan before.
-/// Then the estimate has no pose, the health is LOST, its reason kRefusedScan, and refusal() has the words.
+///   - duration_ns is not within 0 to 1 s, or stamp_ns is beyond 2^62.
+/// Then the estimate has no pose, the health is LOST, its reason kRefusedScan, and refusal() has the words. A
+/// scan that is not later than the last one, or much later, is no such case: its reason is kTimeGap.
 ///
 /// Of the configuration it uses `mount`, `ground`, `features`, `odometry` and `assembly.max_returns`. Objects
 /// are independent of each other. [set-up] constructor; [one thread at a time] the rest. process() is
 /// real-time safe: no allocation, lock, file or log; 25 ms of CPU time for one of KITTI's scans of 120,000
-/// points (measured on a busy machine), six times that for the second, which finds the first motion.
+/// points (measured on a busy machine), six times that where a first motion has to be found
+/// (second scan, time gap).
 class Odometry {
  public:
   /// Allocates all that will be needed. Throws Error: a setting that cannot be used.
