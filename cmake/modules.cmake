@@ -1,4 +1,6 @@
-# pago_module(NAME SOURCES a.cpp ... [USES module ...] [LINKS target ...])
+# pago_module(NAME SOURCES a.cpp ... [USES module ...] [LINKS target ...] [NOT_PRECOMPILED])
+#
+# NOT_PRECOMPILED: for a folder with compiler options of its own.
 #
 # One object library per folder. A module sees the public headers (include/pago/<module>) of itself, of the modules
 # that it USES and of what those use, and no others: its include path is a folder of links to just these. So an
@@ -6,7 +8,7 @@
 set(PAGO_MODULES "" CACHE INTERNAL "")
 
 function(pago_module name)
-  cmake_parse_arguments(arg "" "" "SOURCES;USES;LINKS" ${ARGN})
+  cmake_parse_arguments(arg "NOT_PRECOMPILED" "" "SOURCES;USES;LINKS" ${ARGN})
   set(seen ${name})
   foreach(used IN LISTS arg_USES)
     get_target_property(reach pago_${used} PAGO_REACH)
@@ -27,6 +29,9 @@ function(pago_module name)
   set_target_properties(pago_${name} PROPERTIES PAGO_REACH "${seen}")
   target_include_directories(pago_${name} PRIVATE ${view})
   target_link_libraries(pago_${name} PRIVATE pago_warnings PUBLIC pago_abi Eigen3::Eigen Threads::Threads ${arg_LINKS})
+  if(NOT arg_NOT_PRECOMPILED)
+    pago_precompile(pago_${name} pago_core)
+  endif()
   set(PAGO_MODULES ${PAGO_MODULES} ${name} CACHE INTERNAL "")
 endfunction()
 

@@ -34,7 +34,7 @@ std::string toml_number(double value) {
   return text.find_first_of(".en") == std::string::npos ? text + ".0" : text;
 }
 
-std::string quoted(std::string_view text) {
+std::string in_quotes(std::string_view text) {
   std::string out = "\"";
   for (const char letter : text) {
     if (letter == '"' || letter == '\\') {
@@ -108,7 +108,7 @@ std::string range_text(Within bounds) {
 
 std::string words_text(const std::vector<std::string_view>& words) {
   std::string out;
-  for (const auto word : words) out += (out.empty() ? "" : ", ") + quoted(word);
+  for (const auto word : words) out += (out.empty() ? "" : ", ") + in_quotes(word);
   return out;
 }
 
@@ -148,7 +148,7 @@ std::string to_text(const Value& value) {
                         [](bool flag) { return std::string(flag ? "true" : "false"); },
                         [](std::int64_t whole) { return std::to_string(whole); },
                         [](double number) { return toml_number(number); },
-                        [](const std::string& text) { return quoted(text); },
+                        [](const std::string& text) { return in_quotes(text); },
                         [](const std::vector<double>& numbers) {
                           std::string out;
                           for (const double number : numbers)

@@ -82,7 +82,7 @@ CalibrationFile read_ros_yaml(const std::string& name, std::string_view text);
 std::optional<double> parse_number(std::string_view text) noexcept;
 
 /// What a file says where a number is expected, short and printable: "'abc'".
-std::string quoted(std::string_view text);
+std::string in_quotes(std::string_view text);
 
 /// "db.xml:12"
 std::string at_line(const std::string& name, int line);

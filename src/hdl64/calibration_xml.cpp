@@ -65,7 +65,7 @@ class XmlReader {
     const std::optional<double> value = parse_number(node.child_value());
     if (!value)
       throw Error(at_line(file_.name, line_at(node.offset_debug())),
-                  std::string(node.name()) + " is " + quoted(node.child_value()) + ", not a number");
+                  std::string(node.name()) + " is " + in_quotes(node.child_value()) + ", not a number");
     return *value;
   }
 

@@ -29,7 +29,7 @@ double number(const std::string& name, const char* key, const YAML::Node& node) 
   const std::optional<double> value = node.IsScalar() ? parse_number(node.Scalar()) : std::nullopt;
   if (!value)
     throw Error(at_line(name, line_of(node.Mark())),
-                std::string(key) + " is " + (node.IsScalar() ? quoted(node.Scalar()) + ", not" : "not") +
+                std::string(key) + " is " + (node.IsScalar() ? in_quotes(node.Scalar()) + ", not" : "not") +
                     " a number");
   return *value;
 }
