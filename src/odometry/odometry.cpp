@@ -2,12 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "pago/odometry/odometry.hpp"
 
-#include <Eigen/Cholesky>
-#include <Eigen/Eigenvalues>
 #include <cmath>
 #include <numbers>
 
 #include "pago/core/se3.hpp"
+#include "pago/core/symmetric6.hpp"
 
 namespace pago::odometry {
 
@@ -39,8 +38,8 @@ double observability(const Matrix6d& information) {
   Vector6d scale = Vector6d::Ones();
   scale.tail<3>().setConstant(1.0 / kLeverArm_m);
   const Matrix6d comparable = scale.asDiagonal() * information * scale.asDiagonal();
-  const Eigen::SelfAdjointEigenSolver<Matrix6d> eigen(comparable, Eigen::EigenvaluesOnly);
-  return eigen.eigenvalues()[0] / std::max(eigen.eigenvalues()[5], 1e-12);
+  const Vector6d values = eigen_of(comparable).values;
+  return values[0] / std::max(values[5], 1e-12);
 }
 
 }  // namespace
@@ -229,7 +228,7 @@ void OdometryStage::adopt(Estimate& estimate,
   } else {
     information /= static_cast<double>(predicted_in_a_row_ * predicted_in_a_row_);
   }
-  estimate.covariance = information.ldlt().solve(Matrix6d::Identity());
+  estimate.covariance = inverse_of(information);
   estimate.iterations = static_cast<std::uint16_t>(result.rounds);
   estimate.edge_matches = result.edge_matches;
   estimate.planar_matches = result.ground_matches + result.wall_matches;

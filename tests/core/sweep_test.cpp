@@ -9,9 +9,9 @@ using namespace pago;
 TEST_CASE("a sweep has room for its returns in every array", "[core][sweep]") {
   const Sweep sweep(1000);
   CHECK(sweep.capacity() == 1000);
-  for (const std::size_t size :
-       {sweep.x_m.size(), sweep.y_m.size(), sweep.z_m.size(), sweep.intensity.size(), sweep.ring.size(),
-        sweep.column.size(), sweep.time_offset_ns.size(), sweep.ground.size(), sweep.cluster.size()}) {
+  for (const std::size_t size : {sweep.x_m.size(), sweep.y_m.size(), sweep.z_m.size(), sweep.intensity.size(),
+                                 sweep.ring.size(), sweep.column.size(), sweep.time_offset_ns.size(),
+                                 sweep.label.size(), sweep.ground.size(), sweep.cluster.size()}) {
     CHECK(size == 1000);
   }
 }

@@ -8,9 +8,9 @@ namespace pago {
 
 /// [assembly]
 ///
-/// A sweep takes 27 bytes per return and 1.2 MB for its range image. The default holds whatever 4,352 firings
-/// of 64 lasers return, a rotation at 4.8 Hz: 8.7 MB a sweep, 53 MB for the ring of six. Dual return at 5 Hz
-/// needs 460,800: 13.7 MB a sweep, 82 MB.
+/// A sweep takes 29 bytes per return and 1.2 MB for its range image. The default holds whatever 4,352 firings
+/// of 64 lasers return, a rotation at 4.8 Hz: 9.3 MB a sweep, 56 MB for the ring of six. Dual return at 5 Hz
+/// needs 460,800: 14.6 MB a sweep, 88 MB.
 struct AssemblyConfig {
   double cut_azimuth_deg = 180.0;
   int ring_size = 6;

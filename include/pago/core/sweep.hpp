@@ -31,6 +31,7 @@ enum SweepFlag : std::uint32_t {
   kCompensated =
       1U << 5,            ///< returns are already in the frame of one instant (KITTI odometry): never de-skew
   kSuperseded = 1U << 6,  ///< skipped for a newer one under overload: no pose
+  kLabelled = 1U << 7,    ///< `label` holds the truth: simulated or hand-labelled
 };
 
 struct SweepHeader {
@@ -79,6 +80,7 @@ struct Sweep {
         ring(max_returns),
         column(max_returns),
         time_offset_ns(max_returns),
+        label(max_returns),
         ground(max_returns),
         cluster(max_returns) {
     // Selection takes at most 20 edges and 4 flat points from each of 6 sectors of a ring (LeGO-LOAM's
@@ -99,6 +101,7 @@ struct Sweep {
   AlignedArray<std::uint16_t> column;
   AlignedArray<std::int32_t> time_offset_ns;  ///< firing time after header.start_ns
   RangeImage range_image;
+  AlignedArray<std::uint16_t> label;  ///< SemanticKITTI class, where header.flags has kLabelled
 
   // --- ground
   AlignedArray<std::uint8_t> ground;  ///< kGround or kNonGround per return
