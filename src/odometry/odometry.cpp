@@ -44,13 +44,15 @@ double observability(const Matrix6d& information) {
 
 }  // namespace
 
-OdometryStage::OdometryStage(const OdometryConfig& config, std::uint32_t max_returns)
+OdometryStage::OdometryStage(const OdometryConfig& config,
+                             std::uint32_t max_returns,
+                             const RefinedState& refined)
     : config_(config),
+      refined_(refined),
       registration_(config, kNumRings * 6 * 20),
       sources_(kNumRings * 6 * 20),
       raw_targets_(max_returns),
-      deskewed_(max_returns),
-      targets_(max_returns) {}
+      targets_(config, max_returns) {}
 
 void OdometryStage::finish(Sweep& sweep) noexcept {
   if (!sweep.header.is_posed()) return;
@@ -61,6 +63,9 @@ void OdometryStage::finish(Sweep& sweep) noexcept {
   } else {
     start(sweep, instants);
   }
+  sweep.motion.reference_ns = instants.reference_ns;
+  sweep.motion.reported_ns = instants.reported_ns;
+  sweep.motion.is_compensated = instants.compensated;
   load_targets(sweep, instants);
   build_targets(twist_);
   last_ = instants;
@@ -90,7 +95,7 @@ float before(const Sweep& sweep, std::uint32_t i, std::int64_t reference_ns) noe
   return static_cast<float>(seconds(reference_ns - sweep.header.start_ns - sweep.time_offset_ns[i]));
 }
 
-void add_to(FeatureCloud& cloud, const Sweep& sweep, std::uint32_t i, std::int64_t reference_ns) noexcept {
+void add_to(PointCloud& cloud, const Sweep& sweep, std::uint32_t i, std::int64_t reference_ns) noexcept {
   cloud.add({sweep.x_m[i], sweep.y_m[i], sweep.z_m[i]}, before(sweep, i, reference_ns), sweep.ring[i]);
 }
 
@@ -118,13 +123,7 @@ void OdometryStage::load_targets(const Sweep& sweep, const Instants& instants) n
 }
 
 void OdometryStage::build_targets(const Vector6d& twist) noexcept {
-  const Vector6d used = targets_compensated_ || !config_.deskew ? Vector6d::Zero() : twist;
-  deskew(raw_targets_.edges, used, deskewed_);
-  targets_.edges.build(deskewed_);
-  deskew(raw_targets_.ground, used, deskewed_);
-  targets_.ground.build(deskewed_);
-  deskew(raw_targets_.walls, used, deskewed_);
-  targets_.walls.build(deskewed_);
+  targets_.build(raw_targets_, targets_compensated_ || !config_.deskew ? Vector6d::Zero() : twist);
 }
 
 void OdometryStage::start(Sweep& sweep, const Instants& instants) noexcept {
@@ -162,6 +161,10 @@ void OdometryStage::advance(Sweep& sweep, const Instants& instants) noexcept {
     is_placed_ = true;
   }
   T_odom_reference_ = T_odom_reference_ * T_last_this;
+  sweep.motion.period_s = period_s;
+  sweep.motion.T_last_this = T_last_this;
+  sweep.motion.is_registered = usable;
+  sweep.motion.is_time_lost = is_time_lost;
   if (usable) {
     twist_ = log_se3(T_last_this) / period_s;
     has_motion_ = true;
@@ -243,8 +246,10 @@ void OdometryStage::report(Sweep& sweep, const Instants& instants) noexcept {
   const Eigen::Isometry3d T_reference_reported =
       exp_se3(twist_ * seconds(instants.reported_ns - instants.reference_ns));
   estimate.T_odom_sensor_front_end = T_odom_reference_ * T_reference_reported;
-  estimate.T_odom_sensor_first = estimate.T_odom_sensor_front_end;
-  estimate.T_odom_sensor_refined = estimate.T_odom_sensor_front_end;
+  estimate.T_odom_sensor_first =
+      refined_.is_valid ? refined_.T_odom_reference * sweep.motion.T_last_this * T_reference_reported
+                        : estimate.T_odom_sensor_front_end;
+  estimate.T_odom_sensor_refined = estimate.T_odom_sensor_first;
 }
 
 }  // namespace pago::odometry

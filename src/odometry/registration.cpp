@@ -7,8 +7,11 @@
 #include <cmath>
 
 #include "pago/core/se3.hpp"
+#include "pago/registration/robust.hpp"
 
 namespace pago::odometry {
+
+using registration::geman_mcclure;
 
 namespace {
 
@@ -16,9 +19,11 @@ namespace {
 constexpr std::array<int, 3> kStepOne{2, 3, 4};
 constexpr std::array<int, 3> kStepTwo{0, 1, 5};
 
-double geman_mcclure(double residual, double width) noexcept {
-  const double ratio = width * width / (width * width + residual * residual);
-  return ratio * ratio;
+Match match_of(const Eigen::Vector3d& source, const Plane& plane, const OdometryConfig& config) noexcept {
+  return {source, plane.centre, plane.normal, plane.variance_m2 + config.point_sigma_m * config.point_sigma_m};
+}
+Match match_of(const Eigen::Vector3d& source, const Line& line, const OdometryConfig& config) noexcept {
+  return {source, line.centre, line.direction, line.variance_m2 + config.edge_sigma_m * config.edge_sigma_m};
 }
 
 }  // namespace
@@ -32,26 +37,28 @@ TwoStepRegistration::TwoStepRegistration(const OdometryConfig& config, std::size
       residuals_(max_sources) {}
 
 RegistrationResult TwoStepRegistration::align(const FeatureSet& sources,
-                                              const TargetSet& targets,
+                                              Targets& targets,
                                               const Eigen::Isometry3d& T_guess,
                                               double period_s,
                                               double match_radius_m) noexcept {
   T_ = T_guess;
-  const auto radius_m = static_cast<float>(match_radius_m);
+  const auto ground = [&](const Eigen::Vector3d& query) { return targets.find_ground(query, match_radius_m); };
+  const auto wall = [&](const Eigen::Vector3d& query) { return targets.find_wall(query, match_radius_m); };
+  const auto edge = [&](const Eigen::Vector3d& query) { return targets.find_edge(query, match_radius_m); };
   RegistrationResult result;
   for (; result.rounds < config_.max_rounds; ++result.rounds) {
     const Eigen::Isometry3d T_before = T_;
     deskew_sources(sources, period_s);
 
-    match(deskewed_.ground, targets.ground, Shape::kPlane, radius_m, ground_);
+    match(deskewed_.ground, ground, ground_);
     for (int i = 0; i < config_.steps_per_round; ++i) {
       NormalEquations sum;
       accumulate(ground_, Shape::kPlane, sum);
       step(sum, kStepOne);
     }
 
-    match(deskewed_.edges, targets.edges, Shape::kLine, radius_m, edges_);
-    if (config_.walls_in_step_two) match(deskewed_.walls, targets.walls, Shape::kPlane, radius_m, walls_);
+    match(deskewed_.edges, edge, edges_);
+    if (config_.walls_in_step_two) match(deskewed_.walls, wall, walls_);
     for (int i = 0; i < config_.steps_per_round; ++i) {
       NormalEquations sum;
       accumulate(edges_, Shape::kLine, sum);
@@ -76,19 +83,12 @@ void TwoStepRegistration::deskew_sources(const FeatureSet& sources, double perio
   deskew(sources.walls, twist, deskewed_.walls);
 }
 
-void TwoStepRegistration::match(
-    const FeatureCloud& cloud, const GridIndex& target, Shape shape, float radius_m, Matches& out) noexcept {
+template <typename Find>
+void TwoStepRegistration::match(const PointCloud& cloud, Find find, Matches& out) noexcept {
   out.clear();
   for (std::size_t i = 0; i < cloud.size; ++i) {
     const Eigen::Vector3d source = cloud.point(i).cast<double>();
-    const Eigen::Vector3f query = (T_ * source).cast<float>();
-    if (shape == Shape::kPlane) {
-      if (const auto plane = find_plane(target, query, radius_m))
-        out.push_back({source, plane->centre, plane->normal});
-    } else {
-      if (const auto line = find_line(target, query, radius_m))
-        out.push_back({source, line->centre, line->direction});
-    }
+    if (const auto found = find(T_ * source)) out.push_back(match_of(source, *found, config_));
   }
 }
 
@@ -100,34 +100,31 @@ double TwoStepRegistration::residual(const Match& match, Shape shape) const noex
 double TwoStepRegistration::kernel_width(const Matches& matches, Shape shape) noexcept {
   residuals_.clear();
   for (const Match& match : matches) residuals_.push_back(std::abs(residual(match, shape)));
-  if (residuals_.empty()) return config_.kernel_min_m;
-  double* const median = residuals_.begin() + residuals_.size() / 2;
-  std::nth_element(residuals_.begin(), median, residuals_.end());
-  constexpr double kMadToSigma = 1.4826;
-  return std::max(config_.kernel_min_m, 3.0 * kMadToSigma * *median);
+  return registration::kernel_width<double>({residuals_.begin(), residuals_.size()}, config_.kernel_min_m);
 }
 
-// With p' = R p + t and the perturbation R exp(w), t + v: a plane's n . p' changes by n . v + (p x R^T n) .
-// w; a line's offset, seen across its direction, by P v - P R [p]x w.
+// With the perturbation T exp(d), d = (v, w), a plane's n . (T p) changes by m . v + (p x m) . w, m = R^T n; a
+// line's offset, seen across its direction in the sensor frame, by P v - P [p]x w.
 void TwoStepRegistration::accumulate(const Matches& matches, Shape shape, NormalEquations& sum) noexcept {
   const double width = kernel_width(matches, shape);
-  const Eigen::Matrix3d R = T_.linear();
+  const Eigen::Matrix3d R_source_target = T_.linear().transpose();
   for (const Match& match : matches) {
-    const Eigen::Vector3d offset = T_ * match.source - match.centre;
+    const Eigen::Vector3d axis = R_source_target * match.axis;
+    const Eigen::Vector3d offset = R_source_target * (T_ * match.source - match.centre);
     if (shape == Shape::kPlane) {
-      const double r = match.axis.dot(offset);
-      const double weight = geman_mcclure(r, width);
+      const double r = axis.dot(offset);
+      const double weight = geman_mcclure(r, width) / match.variance_m2;
       Vector6d J;
-      J << match.axis, match.source.cross(R.transpose() * match.axis);
+      J << axis, match.source.cross(axis);
       sum.H.noalias() += weight * J * J.transpose();
       sum.b.noalias() += weight * r * J;
       sum.weight += weight, sum.weighted_sq += weight * r * r;
     } else {
-      const Eigen::Matrix3d P = Eigen::Matrix3d::Identity() - match.axis * match.axis.transpose();
+      const Eigen::Matrix3d P = Eigen::Matrix3d::Identity() - axis * axis.transpose();
       const Eigen::Vector3d r = P * offset;
-      const double weight = geman_mcclure(r.norm(), width);
+      const double weight = geman_mcclure(r.norm(), width) / match.variance_m2;
       Eigen::Matrix<double, 3, 6> J;
-      J << P, -P * R * hat(match.source);
+      J << P, -P * hat(match.source);
       sum.H.noalias() += weight * J.transpose() * J;
       sum.b.noalias() += weight * J.transpose() * r;
       sum.weight += weight, sum.weighted_sq += weight * r.squaredNorm();
@@ -135,7 +132,7 @@ void TwoStepRegistration::accumulate(const Matches& matches, Shape shape, Normal
   }
 }
 
-double TwoStepRegistration::step(const NormalEquations& sum, const std::array<int, 3>& dofs) noexcept {
+void TwoStepRegistration::step(const NormalEquations& sum, const std::array<int, 3>& dofs) noexcept {
   Eigen::Matrix3d H;
   Eigen::Vector3d b;
   for (int i = 0; i < 3; ++i) {
@@ -146,12 +143,10 @@ double TwoStepRegistration::step(const NormalEquations& sum, const std::array<in
   // Directions without information stay where the prediction put them.
   H.diagonal().array() += 1e-6;
   const Eigen::Vector3d solution = H.ldlt().solve(-b) * config_.update_gain;
-  if (!solution.allFinite()) return 0.0;
+  if (!solution.allFinite()) return;
   Vector6d delta = Vector6d::Zero();
   for (int i = 0; i < 3; ++i) delta[dofs[static_cast<std::size_t>(i)]] = solution[i];
-  T_.translation() += delta.head<3>();
-  T_.linear() = T_.linear() * exp_so3(delta.tail<3>());
-  return solution.norm();
+  T_ = perturb(T_, delta);
 }
 
 // With a fixed kernel: the one used for solving widens with the misfit, and so would praise a bad fit.
@@ -173,21 +168,11 @@ void TwoStepRegistration::finish(const FeatureSet& sources, RegistrationResult& 
   result.ground_matches = static_cast<std::uint32_t>(ground_.size());
   result.edge_matches = static_cast<std::uint32_t>(edges_.size());
   result.wall_matches = static_cast<std::uint32_t>(walls_.size());
-  const auto mean_sq = [&](const NormalEquations& sum) {
-    return sum.weight > 0.0 ? sum.weighted_sq / sum.weight : 0.0;
-  };
-  result.ground_rms_m = std::sqrt(mean_sq(ground));
-  result.edge_rms_m = std::sqrt(mean_sq(two));
+  result.ground_rms_m = ground.rms_m();
+  result.edge_rms_m = two.rms_m();
   result.score =
       support(edges_, Shape::kLine, sources.edges.size) + support(walls_, Shape::kPlane, sources.walls.size);
-
-  // Translation was perturbed in the target frame; the information is stated in the source frame.
-  Matrix6d to_source = Matrix6d::Identity();
-  to_source.topLeftCorner<3, 3>() = T_.linear();
-  const double floor_sq = config_.residual_sigma_m * config_.residual_sigma_m;
-  const Matrix6d H =
-      ground.H / std::max(floor_sq, mean_sq(ground)) + two.H / std::max(floor_sq, mean_sq(two));
-  result.information = to_source.transpose() * H * to_source;
+  result.information = ground.H + two.H;
 }
 
 }  // namespace pago::odometry

@@ -9,6 +9,7 @@
 #include "pago/config/load.hpp"
 #include "pago/features/features.hpp"
 #include "pago/ground/segmenter.hpp"
+#include "pago/mapping/mapping.hpp"
 #include "pago/odometry/odometry.hpp"
 
 namespace pago {
@@ -69,10 +70,11 @@ struct Odometry::Parts {
         organizer(max_returns),
         segmenter(ground::make_segmenter(c.ground, c.mount, max_returns)),
         extractor(c.features, max_returns),
-        odometer(c.odometry, max_returns) {}
+        mapper(c.mapping),
+        odometer(c.odometry, max_returns, mapper.refined()) {}
 
   void run_stages() noexcept {
-    Chain stages(*segmenter, extractor, odometer);
+    Chain stages(*segmenter, extractor, odometer, mapper);
     stages.begin(sweep);
     stages.accept({&sweep, sweep.size, sweep.header.num_columns, true});
     stages.finish(sweep);
@@ -82,6 +84,7 @@ struct Odometry::Parts {
   ScanOrganizer organizer;
   std::unique_ptr<ground::Segmenter> segmenter;
   features::FeaturesStage extractor;
+  mapping::MappingStage mapper;
   odometry::OdometryStage odometer;
 
   std::uint64_t sequence = 0;  // of the next scan

@@ -11,6 +11,7 @@
 #include "pago/core/error.hpp"
 #include "pago/features/features.hpp"
 #include "pago/ground/segmenter.hpp"
+#include "pago/mapping/mapping.hpp"
 #include "pago/odometry/odometry.hpp"
 #include "pago/pipeline/timed.hpp"
 #include "pago/platform/thread.hpp"
@@ -42,7 +43,8 @@ struct Pipeline::Parts {
         ring(static_cast<std::size_t>(c.assembly.ring_size), max_returns),
         segmenter(ground::make_segmenter(c.ground, c.mount, max_returns)),
         extractor(c.features, max_returns),
-        odometer(c.odometry, max_returns),
+        mapper(c.mapping),
+        odometer(c.odometry, max_returns, mapper.refined()),
         parts(elements(c.assembly.ring_size * c.assembly.sectors)),
         sweeps(elements(c.assembly.ring_size)),
         freed(elements(c.assembly.ring_size)) {}
@@ -59,7 +61,8 @@ struct Pipeline::Parts {
     Timed features(StageId::kFeatures, extractor);
     Timed odometry(StageId::kOdometry, odometer);
     Chain front(ground, features);
-    Chain estimate(odometry);
+    Timed mapping(StageId::kMapping, mapper);
+    Chain estimate(odometry, mapping);
     const auto finish = [this](Sweep* sweep) noexcept {
       if (sweep == nullptr) return push(records, Published{{}, true});
       posed += sweep->estimate.has_pose ? 1 : 0;
@@ -117,6 +120,7 @@ struct Pipeline::Parts {
   SweepRing ring;
   std::unique_ptr<ground::Segmenter> segmenter;
   features::FeaturesStage extractor;
+  mapping::MappingStage mapper;
   odometry::OdometryStage odometer;
   platform::Channel<SweepPart> parts;
   platform::Channel<Sweep*> sweeps, freed;

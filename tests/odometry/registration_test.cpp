@@ -21,11 +21,11 @@ struct Pair {
     const test::Street street;
     features::FeaturesStage extract(FeaturesConfig{}, test::kStreetReturns);
     Sweep sweep(test::kStreetReturns);
-    FeatureCloud cloud(test::kStreetReturns);
+    PointCloud cloud(test::kStreetReturns);
 
     street.scan(test::street_start(), Vector6d::Zero(), 0, noise_m, sweep);
     extract.finish(sweep);
-    const auto fill = [&](const auto& indices, int ground) -> const FeatureCloud& {
+    const auto fill = [&](const auto& indices, int ground) -> const PointCloud& {
       cloud.size = 0;
       for (const auto i : indices) {
         if (ground >= 0 && sweep.ground[i] != ground) continue;
@@ -39,8 +39,8 @@ struct Pair {
 
     street.scan(test::street_start() * T_first_second, Vector6d::Zero(), 100'000'000, noise_m, sweep);
     extract.finish(sweep);
-    const auto copy = [](const FeatureCloud& from, FeatureCloud& to) {
-      for (std::size_t i = 0; i < from.size; ++i) to.add(from.point(i), 0.0F, from.ring[i]);
+    const auto copy = [](const PointCloud& from, PointCloud& to) {
+      for (std::size_t i = 0; i < from.size; ++i) to.add(from.point(i), 0.0F, from.tag[i]);
     };
     copy(fill(sweep.features.sharp_edges, -1), sources.edges);
     copy(fill(sweep.features.flat_planars, kGround), sources.ground);

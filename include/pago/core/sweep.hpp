@@ -63,6 +63,31 @@ struct FeatureLists {
   FixedVector<std::uint32_t> edges;         ///< sharp ones and more: the next sweep's targets
   FixedVector<std::uint32_t> flat_planars;  ///< the flattest few per sector: sources of step one
   FixedVector<std::uint32_t> planars;       ///< thinned rest: the next sweep's targets
+  // Of all returns, whatever they are (features/thinning.hpp); each list is a part of the one before.
+  FixedVector<std::uint32_t> dense;       ///< one per small voxel: what a saved map shows
+  FixedVector<std::uint32_t> map_points;  ///< one per larger voxel: what the local map is made of
+  FixedVector<std::uint32_t> key_points;  ///< few: what is registered to the local map
+};
+/// More than a sweep of an HDL-64E gives at the default voxels, with room to spare; beyond, points are left out.
+inline constexpr std::uint32_t kMaxDensePoints = 100'000, kMaxMapPoints = 40'000, kMaxKeyPoints = 8'000;
+
+/// What odometry tells mapping: the motion since the last sweep with a pose, between the two sweeps' reference
+/// instants. Poses are chained between these; they are reported at the configured instant.
+struct ScanMotion {
+  std::int64_t reference_ns = 0;  ///< the sweep's middle
+  std::int64_t reported_ns = 0;
+  double period_s = 0.0;        ///< since the last sweep's reference instant; 0 for the first sweep
+  bool is_compensated = false;  ///< returns are in the frame of the reference instant already
+  bool is_registered = false;   ///< found by matching; else carried on at constant velocity
+  bool is_time_lost = false;    ///< the sensor's clock began anew, or leapt: `period_s` is a guess
+  Eigen::Isometry3d T_last_this = Eigen::Isometry3d::Identity();
+};
+
+/// What mapping leaves for odometry's next sweep: where the last one was, once the map had its say. Both live in
+/// the estimate thread.
+struct RefinedState {
+  bool is_valid = false;
+  Eigen::Isometry3d T_odom_reference = Eigen::Isometry3d::Identity();
 };
 
 /// One rotation of the sensor, the frame that travels through the pipeline. Preallocated, structure of
@@ -89,6 +114,9 @@ struct Sweep {
     features.edges = FixedVector<std::uint32_t>(kNumRings * 6 * 40);
     features.flat_planars = FixedVector<std::uint32_t>(kNumRings * 6 * 20);
     features.planars = FixedVector<std::uint32_t>(max_returns);
+    features.dense = FixedVector<std::uint32_t>(std::min(max_returns, kMaxDensePoints));
+    features.map_points = FixedVector<std::uint32_t>(std::min(max_returns, kMaxMapPoints));
+    features.key_points = FixedVector<std::uint32_t>(std::min(max_returns, kMaxKeyPoints));
   }
 
   SweepHeader header;
@@ -110,6 +138,9 @@ struct Sweep {
   AlignedArray<std::uint16_t> cluster;
   FeatureLists features;
 
+  // --- odometry
+  ScanMotion motion;
+
   // --- odometry, mapping
   Estimate estimate;
 
@@ -129,6 +160,10 @@ struct Sweep {
     features.edges.clear();
     features.flat_planars.clear();
     features.planars.clear();
+    features.dense.clear();
+    features.map_points.clear();
+    features.key_points.clear();
+    motion = {};
     estimate = {};
     times = {};
   }

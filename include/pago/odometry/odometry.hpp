@@ -17,7 +17,9 @@ namespace pago::odometry {
 /// s.
 class OdometryStage {
  public:
-  OdometryStage(const OdometryConfig& config, std::uint32_t max_returns);
+  /// `refined` is read with each sweep and must outlive the stage; while it is not valid, first poses are the
+  /// front end's.
+  OdometryStage(const OdometryConfig& config, std::uint32_t max_returns, const RefinedState& refined);
 
   void begin(Sweep&) noexcept {}
   void accept(const SweepPart&) noexcept {}
@@ -45,10 +47,10 @@ class OdometryStage {
   void report(Sweep& sweep, const Instants& instants) noexcept;
 
   OdometryConfig config_;
+  const RefinedState& refined_;
   TwoStepRegistration registration_;
   FeatureSet sources_, raw_targets_;
-  FeatureCloud deskewed_;
-  TargetSet targets_;
+  Targets targets_;
 
   bool started_ = false, is_placed_ = false, has_motion_ = false;
   bool targets_compensated_ = false;

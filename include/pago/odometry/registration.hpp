@@ -3,27 +3,18 @@
 #pragma once
 
 #include <Eigen/Geometry>
+#include <array>
+#include <cmath>
 
 #include "pago/config/odometry.hpp"
-#include "pago/odometry/matching.hpp"
+#include "pago/odometry/targets.hpp"
 
 namespace pago::odometry {
 
-/// One sweep's features, raw.
-struct FeatureSet {
-  explicit FeatureSet(std::size_t capacity) : edges(capacity), ground(capacity), walls(capacity) {}
-  FeatureCloud edges, ground, walls;
-};
-
-/// What a sweep is registered against: the last sweep's features at its reference instant.
-struct TargetSet {
-  explicit TargetSet(std::size_t capacity) : edges(capacity), ground(capacity), walls(capacity) {}
-  GridIndex edges, ground, walls;
-};
-
 struct RegistrationResult {
   Eigen::Isometry3d T_target_source = Eigen::Isometry3d::Identity();
-  /// Right perturbation in the source frame, order x y z roll pitch yaw, divided by the residuals' variance.
+  /// Right perturbation in the source frame, order x y z roll pitch yaw, as if residuals were
+  /// independent.
   Matrix6d information = Matrix6d::Zero();
   int rounds = 0;
   std::uint32_t ground_matches = 0, edge_matches = 0, wall_matches = 0;
@@ -44,7 +35,7 @@ class TwoStepRegistration {
   /// `period_s`: time from the target's to the source's reference instant, which turns the motion into a
   /// velocity; 0 for sweeps that are compensated already (no de-skew).
   RegistrationResult align(const FeatureSet& sources,
-                           const TargetSet& targets,
+                           Targets& targets,
                            const Eigen::Isometry3d& T_guess,
                            double period_s,
                            double match_radius_m) noexcept;
@@ -55,16 +46,18 @@ class TwoStepRegistration {
     Matrix6d H = Matrix6d::Zero();
     Vector6d b = Vector6d::Zero();
     double weight = 0.0, weighted_sq = 0.0;
+
+    double rms_m() const noexcept { return weight > 0.0 ? std::sqrt(weighted_sq / weight) : 0.0; }
   };
   using Matches = FixedVector<Match>;
 
   void deskew_sources(const FeatureSet& sources, double period_s) noexcept;
-  void match(
-      const FeatureCloud& cloud, const GridIndex& target, Shape shape, float radius_m, Matches& out) noexcept;
+  template <typename Find>
+  void match(const PointCloud& cloud, Find find, Matches& out) noexcept;
   double residual(const Match& match, Shape shape) const noexcept;
   double kernel_width(const Matches& matches, Shape shape) noexcept;
   void accumulate(const Matches& matches, Shape shape, NormalEquations& sum) noexcept;
-  double step(const NormalEquations& sum, const std::array<int, 3>& dofs) noexcept;
+  void step(const NormalEquations& sum, const std::array<int, 3>& dofs) noexcept;
   double support(const Matches& matches, Shape shape, std::size_t offered) const noexcept;
   void finish(const FeatureSet& sources, RegistrationResult& result) noexcept;
 
