@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "ring_sequence.hpp"
 
@@ -26,7 +25,7 @@ void FeaturesStage::finish(Sweep& sweep) noexcept {
     compute_smoothness(ring_, config_.smoothness);
     block_unreliable(ring_, config_);
     select(sweep);
-    keep_targets(sweep, ring);
+    keep_targets(sweep);
   }
 }
 
@@ -106,15 +105,13 @@ void FeaturesStage::select_planars(FeatureLists& lists,
   }
 }
 
-// All that is no edge, every so many columns: what later sweeps find planes in. Which ones must not depend on the
-// returns' noise: keeping those that are far enough from the last one kept would prefer ranges that are too long on
-// one half of each surface and too short on the other, and turn it (seen as 15 mdeg of yaw per sweep).
-void FeaturesStage::keep_targets(Sweep& sweep, int ring) noexcept {
-  const float step_rad = 2.0F * std::numbers::pi_v<float> / static_cast<float>(sweep.header.num_columns);
-  const float wanted = static_cast<float>(config_.planar_spacing_m) / step_rad;
+// All that is no edge, thinned: what later sweeps find planes in.
+void FeaturesStage::keep_targets(Sweep& sweep) noexcept {
+  const SpacingSampler sampler(config_.planar_spacing_m, sweep.header.num_columns,
+                               static_cast<std::uint32_t>(sweep.header.sequence));
   for (std::size_t n = 0; n < ring_.size; ++n) {
-    const int stride = std::max(1, static_cast<int>(wanted / ring_.range_m[n] + 0.5F));
-    if (!is_edge_[n] && (ring_.column[n] + 7 * ring) % stride == 0) sweep.features.planars.push_back(ring_.index[n]);
+    if (is_edge_[n] == 0 && sampler.keeps(ring_.index[n], ring_.range_m[n] * ring_.range_m[n]))
+      sweep.features.planars.push_back(ring_.index[n]);
   }
 }
 

@@ -43,7 +43,8 @@ JointResult JointRegistration::align(CellMap& map,
     result.rms_m = sum.weight > 0.0 ? std::sqrt(sum.weighted_sq / sum.weight) : 0.0;
     if (matches_.size() < 6) break;
 
-    const Vector6d step = solve_semidefinite(sum.H, -sum.b);
+    const Vector6d off = difference(guess.T_last_this, result.T_last_this);
+    const Vector6d step = solve_semidefinite(sum.H + guess.information, -(sum.b + guess.information * off));
     if (!step.allFinite()) break;
     result.T_last_this = perturb(result.T_last_this, step);
     if (step.head<3>().norm() < config_.stop_translation_m && step.tail<3>().norm() < config_.stop_rotation_rad)

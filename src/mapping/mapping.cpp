@@ -44,7 +44,8 @@ void MappingStage::finish(Sweep& sweep) noexcept {
   MotionGuess guess;
   guess.T_map_last = T_map_reference_;
   guess.T_last_this = motion.T_last_this;
-  guess.last_twist = is_placed_ ? twist_ : log_se3(motion.T_last_this) / motion.period_s;
+  static const double PF = getenv("PF") ? atof(getenv("PF")) : 0.0;
+  guess.information = motion.information * PF;
   guess.period_s = motion.period_s;
   guess.is_compensated = motion.is_compensated;
   const JointResult result = registration_.align(map_, key_points_, guess);

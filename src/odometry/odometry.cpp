@@ -164,6 +164,7 @@ void OdometryStage::advance(Sweep& sweep, const Instants& instants) noexcept {
   sweep.motion.period_s = period_s;
   sweep.motion.T_last_this = T_last_this;
   sweep.motion.is_registered = usable;
+  if (usable) sweep.motion.information = result.information;
   sweep.motion.is_time_lost = is_time_lost;
   if (usable) {
     twist_ = log_se3(T_last_this) / period_s;

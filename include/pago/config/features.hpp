@@ -31,7 +31,7 @@ void describe(Visitor& v, ClusteringConfig& c) {
 struct ThinningConfig {
   double min_range_m = 3.0;
   double max_range_m = 100.0;
-  double dense_voxel_m = 0.2;
+  double dense_spacing_m = 0.15;
   double map_voxel_m = 0.4;
   double key_voxel_m = 1.0;
   int key_points = 2000;
@@ -41,10 +41,11 @@ template <typename Visitor>
 void describe(Visitor& v, ThinningConfig& c) {
   v("min_range_m", c.min_range_m, within(0.0, 20.0), "closer returns stay out of every map");
   v("max_range_m", c.max_range_m, within(5.0, 200.0), "and so do those farther away");
-  v("dense_voxel_m", c.dense_voxel_m, within(0.02, 5.0), "saved maps keep one return per voxel of this side");
-  v("map_voxel_m", c.map_voxel_m, within(0.02, 5.0),
+  v("dense_spacing_m", c.dense_spacing_m, within(0.01, 5.0),
+    "saved maps keep returns about so far apart along a ring");
+  v("map_voxel_m", c.map_voxel_m, within(0.1, 5.0),
     "of these the local map takes one per voxel of this side; at most 0.4 of mapping.cell_m, or cells stay empty");
-  v("key_voxel_m", c.key_voxel_m, within(0.02, 10.0), "and of these one per voxel of this side is registered");
+  v("key_voxel_m", c.key_voxel_m, within(0.1, 10.0), "and of these one per voxel of this side is registered");
   v("key_points", c.key_points, within(50, 8000), "but no more than this, chosen at random");
 }
 

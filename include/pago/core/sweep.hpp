@@ -64,12 +64,12 @@ struct FeatureLists {
   FixedVector<std::uint32_t> flat_planars;  ///< the flattest few per sector: sources of step one
   FixedVector<std::uint32_t> planars;       ///< thinned rest: the next sweep's targets
   // Of all returns, whatever they are (features/thinning.hpp); each list is a part of the one before.
-  FixedVector<std::uint32_t> dense;       ///< one per small voxel: what a saved map shows
-  FixedVector<std::uint32_t> map_points;  ///< one per larger voxel: what the local map is made of
+  FixedVector<std::uint32_t> dense;       ///< evenly spaced along rings: what a saved map shows
+  FixedVector<std::uint32_t> map_points;  ///< one per voxel: what the local map is made of
   FixedVector<std::uint32_t> key_points;  ///< few: what is registered to the local map
 };
 /// More than a sweep of an HDL-64E gives at the default voxels, with room to spare; beyond, points are left out.
-inline constexpr std::uint32_t kMaxDensePoints = 100'000, kMaxMapPoints = 40'000, kMaxKeyPoints = 8'000;
+inline constexpr std::uint32_t kMaxDensePoints = 100'000, kMaxMapPoints = 32'768, kMaxKeyPoints = 8'000;
 
 /// What odometry tells mapping: the motion since the last sweep with a pose, between the two sweeps' reference
 /// instants. Poses are chained between these; they are reported at the configured instant.
@@ -81,6 +81,8 @@ struct ScanMotion {
   bool is_registered = false;   ///< found by matching; else carried on at constant velocity
   bool is_time_lost = false;    ///< the sensor's clock began anew, or leapt: `period_s` is a guess
   Eigen::Isometry3d T_last_this = Eigen::Isometry3d::Identity();
+  /// Of T_last_this; right perturbation in the sensor frame, order x y z roll pitch yaw.
+  Matrix6d information = Matrix6d::Zero();
 };
 
 /// What mapping leaves for odometry's next sweep: where the last one was, once the map had its say. Both live in

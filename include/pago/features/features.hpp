@@ -45,7 +45,7 @@ class FeaturesStage {
   void select(Sweep& sweep) noexcept;
   void select_edges(FeatureLists& lists, std::size_t begin, std::size_t end) noexcept;
   void select_planars(FeatureLists& lists, std::size_t begin, std::size_t end, std::uint8_t ground) noexcept;
-  void keep_targets(Sweep& sweep, int ring) noexcept;
+  void keep_targets(Sweep& sweep) noexcept;
 
   FeaturesConfig config_;
   Clusterer clusterer_;

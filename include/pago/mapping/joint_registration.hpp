@@ -14,7 +14,7 @@ namespace pago::mapping {
 struct MotionGuess {
   Eigen::Isometry3d T_map_last = Eigen::Isometry3d::Identity();   ///< the last sweep's pose
   Eigen::Isometry3d T_last_this = Eigen::Isometry3d::Identity();  ///< start value
-  Vector6d last_twist = Vector6d::Zero();  ///< per second, over the sweep before
+  Matrix6d information = Matrix6d::Zero();  ///< how much the start value is to be trusted
   double period_s = 0.0;    ///< from the last sweep's reference instant to this one's
   bool is_compensated = false;  ///< no de-skew
 };
