@@ -2,19 +2,34 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "pago/mapping/mapping.hpp"
 
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "local_map.hpp"
 #include "pago/core/se3.hpp"
 #include "pago/core/symmetric6.hpp"
+#include "pago/registration/motion_model.hpp"
 
 namespace pago::mapping {
 
+using registration::PointCloud;
+
 namespace {
+
+/// The table is gone through once in so many sweeps, to find cells that are too far away.
+constexpr std::uint32_t kPruningRound_sweeps = 16;
+/// A sensor that stands sees the same again: so many sweeps of it fill the cells.
+constexpr int kMostInsertedStanding = 5;
+/// Longer since the last sweep than this: the motion in between is not what it was.
+constexpr double kGap_s = 0.35;
 
 constexpr double seconds(std::int64_t ns) {
   return static_cast<double>(ns) * 1e-9;
 }
 
-registration::CellMapOptions options_of(const CellsConfig& c) {
-  return {registration::CellShape::kPlane, c.cell_m, c.max_points, c.min_points, c.max_flatness, c.max_thickness_m, c.min_width_m};
+bool is_usable(HealthReason reason) noexcept {
+  return reason == HealthReason::kNone || reason == HealthReason::kNotObservable;
 }
 
 }  // namespace
@@ -23,52 +38,39 @@ MappingStage::MappingStage(const MappingConfig& config)
     : config_(config),
       map_(options_of(config.cells), static_cast<std::uint32_t>(config.cells.max_cells)),
       registration_(config, kMaxKeyPoints),
+      start_(config),
+      trust_(config),
       key_points_(kMaxKeyPoints),
       map_points_(kMaxMapPoints) {}
 
 void MappingStage::finish(Sweep& sweep) noexcept {
+  is_inserted_ = false;
   if (!sweep.header.is_posed()) return;
-  const ScanMotion& motion = sweep.motion;
-  if (started_ && !is_placed_) {
-    map_.clear();
-    insert(motion.is_compensated ? Vector6d::Zero() : Vector6d(log_se3(motion.T_last_this) / motion.period_s));
-  }
   load(sweep);
-  if (!started_) {
-    started_ = true;
-    first_reference_ns_ = motion.reference_ns, first_reported_ns_ = motion.reported_ns;
-    insert(Vector6d::Zero());
-    report(sweep);
-    return;
+  if (phase_ == Phase::kSearching && sweep.motion.period_s > kGap_s) phase_ = Phase::kEmpty;
+  switch (phase_) {
+    case Phase::kEmpty:
+      start(sweep.motion, sweep.estimate);
+      break;
+    case Phase::kSearching:
+      search(sweep.motion, sweep.estimate);
+      break;
+    case Phase::kTracking:
+      track(sweep.motion, sweep);
+      break;
   }
-  MotionGuess guess;
-  guess.T_map_last = T_map_reference_;
-  guess.T_last_this = motion.T_last_this;
-  static const double PF = getenv("PF") ? atof(getenv("PF")) : 0.0;
-  guess.information = motion.information * PF;
-  guess.period_s = motion.period_s;
-  guess.is_compensated = motion.is_compensated;
-  const JointResult result = registration_.align(map_, key_points_, guess);
-  T_map_reference_ = T_map_reference_ * result.T_last_this;
-  twist_ = log_se3(result.T_last_this) / motion.period_s;
-  at_reference_ = result.twist;
-  if (!is_placed_) {
-    is_placed_ = true;
-    T_odom_map_ = exp_se3(twist_ * seconds(first_reference_ns_ - first_reported_ns_));
-  }
-  refined_ = {true, T_odom_map_ * T_map_reference_};
-  insert(result.twist);
-  map_.prune(T_map_reference_.translation(), config_.cells.radius_m, map_.num_slots() / 16);
-  sweep.estimate.iterations = static_cast<std::uint16_t>(result.iterations);
-  sweep.estimate.planar_matches = result.matches;
-  sweep.estimate.planar_rms_m = static_cast<float>(result.rms_m);
-  sweep.estimate.covariance = inverse_of(result.information);
-  report(sweep);
+  report(sweep.motion, sweep.estimate);
+}
+
+void MappingStage::update(Sweep&) noexcept {
+  if (!is_inserted_) return;
+  insert_points(map_points_, twist_, T_map_reference_, map_);
+  map_.prune(T_map_reference_.translation(), config_.cells.radius_m, map_.num_slots() / kPruningRound_sweeps);
 }
 
 void MappingStage::load(const Sweep& sweep) noexcept {
   const std::int64_t reference_ns = sweep.motion.reference_ns - sweep.header.start_ns;
-  const auto copy = [&](const FixedVector<std::uint32_t>& list, registration::PointCloud& out) {
+  const auto copy = [&](const FixedVector<std::uint32_t>& list, PointCloud& out) {
     out.size = 0;
     for (const std::uint32_t i : list) {
       const float before_s = sweep.motion.is_compensated
@@ -81,19 +83,184 @@ void MappingStage::load(const Sweep& sweep) noexcept {
   copy(sweep.features.map_points, map_points_);
 }
 
-void MappingStage::insert(const Vector6d& twist) noexcept {
-  const registration::Deskew to_reference(twist);
-  for (std::size_t i = 0; i < map_points_.size; ++i) {
-    const Eigen::Vector3f p = to_reference(map_points_.point(i), map_points_.before_s[i]);
-    map_.insert(T_map_reference_ * p.cast<double>(), map_points_.tag[i]);
+void MappingStage::start(const ScanMotion& motion, Estimate& estimate) noexcept {
+  if (!refined_.is_placed) first_reference_ns_ = motion.reference_ns, first_reported_ns_ = motion.reported_ns;
+  start_.begin(map_points_, motion.is_compensated);
+  T_map_start_ = T_map_reference_;
+  phase_ = Phase::kSearching;
+  twist_.setZero();
+  estimate.health = refined_.is_placed ? Health::kLost : Health::kInit;
+  estimate.reason = refined_.is_placed ? HealthReason::kMapRestarted : HealthReason::kFirstSweep;
+  estimate.covariance = inverse_of(registration::predicted_information(1.0, 0));
+  if (config_.start.search) return;
+  insert_points(map_points_, twist_, T_map_reference_, map_);
+  phase_ = Phase::kTracking;
+  refined_.has_motion = true;
+}
+
+void MappingStage::search(const ScanMotion& motion, Estimate& estimate) noexcept {
+  start_.add(map_points_, key_points_, motion.period_s);
+  T_map_reference_ = T_map_start_ * start_.T_start_last();
+  twist_ = start_.twist();
+  const JointResult& result = start_.result();
+  MotionGuess guess;
+  guess.period_s = motion.period_s;
+  state(motion, guess, result, HealthReason::kNone, estimate);
+  if (!start_.is_decided()) {
+    estimate.health = Health::kInit;
+    estimate.reason = HealthReason::kMotionUnknown;
+    return;
+  }
+  start_.hand_over(T_map_start_, map_);
+  trust_.accept(result);
+  phase_ = Phase::kTracking;
+  refined_.has_motion = true;
+}
+
+void MappingStage::track(const ScanMotion& motion, Sweep& sweep) noexcept {
+  const MotionGuess guess = guess_of(motion);
+  if (!config_.refine) {
+    JointResult odometry;
+    odometry.T_last_this = guess.T_last_this;
+    adopt(motion, guess, odometry, false);
+    is_inserted_ = false;
+    return;
+  }
+  JointResult result = registration_.align(map_, key_points_, guess, trust_.limits(), *budget_);
+  HealthReason reason = trust_.judge(result, guess.T_last_this, twist_, motion.period_s);
+  const bool is_astray = motion.is_time_lost || motion.period_s > kGap_s ||
+                         trust_.failures() % config_.trust.relocalise_after == config_.trust.relocalise_after - 1;
+  if (!is_usable(reason) && is_astray) {
+    const JointResult found = relocalise(guess);
+    if (trust_.is_usual(found.score) && static_cast<int>(found.matches) >= config_.trust.min_matches) {
+      result = found;
+      reason = found.weak.count > 0 ? HealthReason::kNotObservable : HealthReason::kNone;
+    }
+  }
+  adopt(motion, guess, result, is_usable(reason));
+  state(motion, guess, result, reason, sweep.estimate);
+  if (trust_.failures() >= config_.trust.restart_after) restart(motion, sweep.estimate);
+  if (sweep.header.has(kIncomplete) && sweep.estimate.reason == HealthReason::kNone) {
+    sweep.estimate.health = Health::kDegraded;
+    sweep.estimate.reason = HealthReason::kIncompleteSweep;
   }
 }
 
-void MappingStage::report(Sweep& sweep) noexcept {
-  const double ahead_s = seconds(sweep.motion.reported_ns - sweep.motion.reference_ns);
-  // At the middle of the way there: the change of velocity goes on.
-  const Vector6d twist = sweep.motion.is_compensated ? twist_ : at_reference_;
-  sweep.estimate.T_odom_sensor_refined = T_odom_map_ * T_map_reference_ * exp_se3(twist * ahead_s);
+MotionGuess MappingStage::guess_of(const ScanMotion& motion) const noexcept {
+  MotionGuess guess;
+  guess.T_map_last = T_map_reference_;
+  guess.period_s = motion.is_compensated ? 0.0 : motion.period_s;
+  if (motion.is_registered && motion.period_s <= kGap_s && !motion.is_time_lost) {
+    guess.T_last_this = motion.T_last_this;
+    guess.information = config_.prior_weight * motion.information;
+  } else {
+    guess.T_last_this = exp_se3(twist_ * std::min(motion.period_s, registration::kLongestPrediction_s));
+  }
+  return guess;
+}
+
+// Where could it be, if the velocity has changed since the sweep before? Seeds along the way and to its sides, tried
+// on a part of the points; the best is then registered with all of them.
+JointResult MappingStage::relocalise(const MotionGuess& guess) noexcept {
+  constexpr double kAcceleration_m_s2 = 3.0, kLeast_m = 3.0, kMost_m = 15.0, kStep_m = 1.5;
+  constexpr std::array<double, 5> kTurns_deg{0.0, 10.0, -10.0, 20.0, -20.0};
+  constexpr std::size_t kStride = 4;
+  const double period_s = std::max(guess.period_s, 0.1) * (1 + trust_.failures());
+  const double reach_m = std::clamp(0.5 * kAcceleration_m_s2 * period_s * period_s, kLeast_m, kMost_m);
+  const int steps = static_cast<int>(reach_m / kStep_m);
+  MotionGuess seed = guess;
+  seed.information.setZero();
+  seed.twist = twist_;
+  JointResult best;
+  for (const double turn_deg : kTurns_deg) {
+    for (int step = -steps; step <= steps; ++step) {
+      Vector6d offset = Vector6d::Zero();
+      offset[0] = step * kStep_m, offset[5] = turn_deg * std::numbers::pi / 180.0;
+      seed.T_last_this = guess.T_last_this * exp_se3(offset);
+      const JointResult tried = registration_.align(map_, key_points_, seed,
+                                                    {config_.gate_m, config_.kernel_min_m, config_.max_iterations, kStride});
+      if (tried.score > best.score) best = tried;
+    }
+  }
+  seed.T_last_this = best.T_last_this;
+  return registration_.align(map_, key_points_, seed, {config_.gate_m, config_.kernel_min_m, config_.max_iterations});
+}
+
+void MappingStage::adopt(const ScanMotion& motion,
+                         const MotionGuess& guess,
+                         const JointResult& result,
+                         bool usable) noexcept {
+  const Eigen::Isometry3d T_last_this = usable ? result.T_last_this : guess.T_last_this;
+  Eigen::Isometry3d T_map_this = T_map_reference_ * T_last_this;
+  if (usable && result.weak.count == 0) {
+    T_map_this = standstill_.update(T_map_this, T_last_this, result.information);
+  } else {
+    standstill_.reset();
+  }
+  if (usable || motion.is_registered) twist_ = log_se3(T_map_reference_.inverse() * T_map_this) / motion.period_s;
+  T_map_reference_ = orthonormalized(T_map_this);
+  if (usable) {
+    trust_.accept(result);
+  } else {
+    trust_.reject();
+  }
+  predicted_in_a_row_ = usable || motion.is_registered ? 0 : predicted_in_a_row_ + 1;
+  unconfirmed_ = usable && result.weak.count == 0 ? 0 : unconfirmed_ + 1;
+  inserted_standing_ = standstill_.is_standing() ? inserted_standing_ + 1 : 0;
+  is_inserted_ = usable && inserted_standing_ <= kMostInsertedStanding;
+}
+
+// Nothing of the old map fits any more. Where scan-to-scan still tells the motion, the new one goes on from here;
+// else it begins as at the very start.
+void MappingStage::restart(const ScanMotion& motion, Estimate& estimate) noexcept {
+  map_.clear();
+  trust_.restart();
+  standstill_.reset();
+  estimate.health = Health::kLost;
+  estimate.reason = HealthReason::kMapRestarted;
+  is_inserted_ = motion.is_registered;
+  if (!motion.is_registered) {
+    phase_ = Phase::kEmpty;
+    refined_.has_motion = false;
+  }
+}
+
+void MappingStage::state(const ScanMotion& motion,
+                         const MotionGuess& guess,
+                         const JointResult& result,
+                         HealthReason reason,
+                         Estimate& estimate) const noexcept {
+  estimate.iterations = static_cast<std::uint16_t>(result.iterations);
+  estimate.is_cut_short = result.is_cut;
+  estimate.weak_directions = result.weak.axes;
+  estimate.map_points = result.offered;
+  estimate.map_matches = result.matches;
+  estimate.map_rms_m = static_cast<float>(result.rms_m);
+  estimate.map_score = static_cast<float>(result.score);
+
+  Matrix6d information = registration::predicted_information(motion.period_s, unconfirmed_);
+  if (is_usable(reason)) information += result.weak.without(result.information);
+  information += guess.information;
+  estimate.covariance = inverse_of(information);
+
+  if (reason == HealthReason::kNone && motion.is_time_lost) reason = HealthReason::kTimeGap;
+  if (reason == HealthReason::kNone && result.is_cut) reason = HealthReason::kCutShort;
+  estimate.reason = reason;
+  estimate.health = reason == HealthReason::kNone ? Health::kOk : Health::kDegraded;
+  if (predicted_in_a_row_ >= config_.trust.lost_after) estimate.health = Health::kLost;
+}
+
+void MappingStage::report(const ScanMotion& motion, Estimate& estimate) noexcept {
+  // Until it is known how the sensor moved at the start, the first pose cannot be placed.
+  if (!is_placed_ ) {
+    T_odom_map_ = exp_se3(twist_ * seconds(first_reference_ns_ - first_reported_ns_));
+    is_placed_ = refined_.has_motion && phase_ == Phase::kTracking;
+  }
+  refined_.is_placed = true;
+  refined_.T_odom_reference = T_odom_map_ * T_map_reference_;
+  refined_.twist = twist_;
+  estimate.T_odom_sensor_refined =
+      refined_.T_odom_reference * exp_se3(twist_ * seconds(motion.reported_ns - motion.reference_ns));
 }
 
 }  // namespace pago::mapping

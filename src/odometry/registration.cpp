@@ -11,7 +11,8 @@
 
 namespace pago::odometry {
 
-using registration::geman_mcclure;
+using registration::Row;
+using registration::plane_row;
 
 namespace {
 
@@ -26,6 +27,13 @@ Match match_of(const Eigen::Vector3d& source, const Line& line, const OdometryCo
   return {source, line.centre, line.direction, line.variance_m2 + config.edge_sigma_m * config.edge_sigma_m};
 }
 
+/// LOAM's code: less the farther off, for planes by the square root of the range; too far off: nothing.
+float loam_weight(float residual_m, float range_m, bool is_plane) noexcept {
+  constexpr float kSlope = 1.8F, kLeast = 0.1F;
+  const float weight = 1.0F - kSlope * residual_m / (is_plane ? std::sqrt(range_m) : 1.0F);
+  return weight > kLeast ? weight : 0.0F;
+}
+
 }  // namespace
 
 TwoStepRegistration::TwoStepRegistration(const OdometryConfig& config, std::size_t max_sources)
@@ -34,44 +42,45 @@ TwoStepRegistration::TwoStepRegistration(const OdometryConfig& config, std::size
       ground_(max_sources),
       edges_(max_sources),
       walls_(max_sources),
-      residuals_(max_sources) {}
+      rows_(4 * max_sources),
+      ranges_m_(max_sources),
+      magnitudes_(max_sources) {}
 
 RegistrationResult TwoStepRegistration::align(const FeatureSet& sources,
                                               Targets& targets,
                                               const Eigen::Isometry3d& T_guess,
-                                              double period_s,
-                                              double match_radius_m) noexcept {
+                                              double period_s) noexcept {
   T_ = T_guess;
-  const auto ground = [&](const Eigen::Vector3d& query) { return targets.find_ground(query, match_radius_m); };
-  const auto wall = [&](const Eigen::Vector3d& query) { return targets.find_wall(query, match_radius_m); };
-  const auto edge = [&](const Eigen::Vector3d& query) { return targets.find_edge(query, match_radius_m); };
   RegistrationResult result;
-  for (; result.rounds < config_.max_rounds; ++result.rounds) {
+  for (round_ = 0; round_ < config_.max_rounds; ++round_) {
     const Eigen::Isometry3d T_before = T_;
     deskew_sources(sources, period_s);
-
-    match(deskewed_.ground, ground, ground_);
-    for (int i = 0; i < config_.steps_per_round; ++i) {
-      NormalEquations sum;
-      accumulate(ground_, Shape::kPlane, sum);
-      step(sum, kStepOne);
+    match_step_one(targets);
+    if (round_ == 0) {  // where the search begins: afterwards it could have slipped along what is weak
+      match_step_two(targets);
+      finish(result);
     }
-
-    match(deskewed_.edges, edge, edges_);
-    if (config_.walls_in_step_two) match(deskewed_.walls, wall, walls_);
     for (int i = 0; i < config_.steps_per_round; ++i) {
-      NormalEquations sum;
-      accumulate(edges_, Shape::kLine, sum);
-      accumulate(walls_, Shape::kPlane, sum);
-      step(sum, kStepTwo);
+      rows_.clear();
+      add_rows(ground_, Shape::kPlane);
+      solve(kStepOne, result.weak.penalty);
     }
-
-    const Vector6d moved = log_se3(T_before.inverse() * T_);
-    if (moved.head<3>().norm() < config_.stop_translation_m &&
-        moved.tail<3>().norm() < config_.stop_rotation_rad)
+    match_step_two(targets);
+    for (int i = 0; i < config_.steps_per_round; ++i) {
+      rows_.clear();
+      add_rows(edges_, Shape::kLine);
+      add_rows(walls_, Shape::kPlane);
+      solve(kStepTwo, result.weak.penalty);
+    }
+    const Vector6d moved = difference(T_before, T_);
+    if (moved.head<3>().norm() < config_.stop_translation_m && moved.tail<3>().norm() < config_.stop_rotation_rad)
       break;
   }
-  finish(sources, result);
+  const registration::WeakDirections weak = result.weak;
+  finish(result);
+  result.weak = weak;
+  result.information = weak.without(result.information);
+  result.rounds = std::min(round_ + 1, config_.max_rounds);
   return result;
 }
 
@@ -83,6 +92,16 @@ void TwoStepRegistration::deskew_sources(const FeatureSet& sources, double perio
   deskew(sources.walls, twist, deskewed_.walls);
 }
 
+void TwoStepRegistration::match_step_one(Targets& targets) noexcept {
+  match(deskewed_.ground, [&](const Eigen::Vector3d& query) { return targets.find_ground(query); }, ground_);
+}
+
+void TwoStepRegistration::match_step_two(Targets& targets) noexcept {
+  match(deskewed_.edges, [&](const Eigen::Vector3d& query) { return targets.find_edge(query); }, edges_);
+  if (config_.walls_in_step_two)
+    match(deskewed_.walls, [&](const Eigen::Vector3d& query) { return targets.find_wall(query); }, walls_);
+}
+
 template <typename Find>
 void TwoStepRegistration::match(const PointCloud& cloud, Find find, Matches& out) noexcept {
   out.clear();
@@ -92,47 +111,52 @@ void TwoStepRegistration::match(const PointCloud& cloud, Find find, Matches& out
   }
 }
 
-double TwoStepRegistration::residual(const Match& match, Shape shape) const noexcept {
-  const Eigen::Vector3d offset = T_ * match.source - match.centre;
-  return shape == Shape::kPlane ? match.axis.dot(offset) : match.axis.cross(offset).norm();
-}
-
-double TwoStepRegistration::kernel_width(const Matches& matches, Shape shape) noexcept {
-  residuals_.clear();
-  for (const Match& match : matches) residuals_.push_back(std::abs(residual(match, shape)));
-  return registration::kernel_width<double>({residuals_.begin(), residuals_.size()}, config_.kernel_min_m);
-}
-
-// With the perturbation T exp(d), d = (v, w), a plane's n . (T p) changes by m . v + (p x m) . w, m = R^T n; a
-// line's offset, seen across its direction in the sensor frame, by P v - P [p]x w.
-void TwoStepRegistration::accumulate(const Matches& matches, Shape shape, NormalEquations& sum) noexcept {
-  const double width = kernel_width(matches, shape);
+// An edge makes two rows: its offset along two directions across the line.
+void TwoStepRegistration::add_rows(const Matches& matches, Shape shape) noexcept {
+  const std::size_t begin = rows_.size();
+  ranges_m_.clear();
   const Eigen::Matrix3d R_source_target = T_.linear().transpose();
   for (const Match& match : matches) {
-    const Eigen::Vector3d axis = R_source_target * match.axis;
-    const Eigen::Vector3d offset = R_source_target * (T_ * match.source - match.centre);
+    const Eigen::Vector3f source = match.source.cast<float>();
+    const Eigen::Vector3f axis = (R_source_target * match.axis).cast<float>();
+    const Eigen::Vector3f offset = (R_source_target * (T_ * match.source - match.centre)).cast<float>();
+    const auto variance = static_cast<float>(match.variance_m2);
+    ranges_m_.push_back(source.norm());
     if (shape == Shape::kPlane) {
-      const double r = axis.dot(offset);
-      const double weight = geman_mcclure(r, width) / match.variance_m2;
-      Vector6d J;
-      J << axis, match.source.cross(axis);
-      sum.H.noalias() += weight * J * J.transpose();
-      sum.b.noalias() += weight * r * J;
-      sum.weight += weight, sum.weighted_sq += weight * r * r;
+      rows_.push_back(plane_row(source, axis, axis.dot(offset), variance));
     } else {
-      const Eigen::Matrix3d P = Eigen::Matrix3d::Identity() - axis * axis.transpose();
-      const Eigen::Vector3d r = P * offset;
-      const double weight = geman_mcclure(r.norm(), width) / match.variance_m2;
-      Eigen::Matrix<double, 3, 6> J;
-      J << P, -P * hat(match.source);
-      sum.H.noalias() += weight * J.transpose() * J;
-      sum.b.noalias() += weight * J.transpose() * r;
-      sum.weight += weight, sum.weighted_sq += weight * r.squaredNorm();
+      const Eigen::Vector3f across = axis.unitOrthogonal(), other = axis.cross(across);
+      rows_.push_back(plane_row(source, across, across.dot(offset), variance));
+      rows_.push_back(plane_row(source, other, other.dot(offset), variance));
     }
+  }
+  weigh({rows_.begin() + begin, rows_.size() - begin}, shape);
+}
+
+void TwoStepRegistration::weigh(std::span<Row> rows, Shape shape) noexcept {
+  const std::size_t per_match = shape == Shape::kPlane ? 1 : 2;
+  const auto magnitude = [&](std::size_t i) {
+    return per_match == 1 ? std::abs(rows[i].residual_m) : std::hypot(rows[i].residual_m, rows[i + 1].residual_m);
+  };
+  magnitudes_.clear();
+  for (std::size_t i = 0; i < rows.size(); i += per_match) magnitudes_.push_back(magnitude(i));
+  const float width = registration::kernel_width<float>({magnitudes_.begin(), magnitudes_.size()},
+                                                        static_cast<float>(config_.kernel_min_m));
+  for (std::size_t i = 0; i < rows.size(); i += per_match) {
+    float weight = 1.0F;
+    if (config_.kernel == Kernel::kGemanMcClure) {
+      weight = registration::geman_mcclure(magnitude(i), width);
+    } else if (round_ > 0) {
+      weight = loam_weight(magnitude(i), ranges_m_[i / per_match], shape == Shape::kPlane);
+    }
+    for (std::size_t k = 0; k < per_match; ++k) rows[i + k].kernel_weight = weight;
   }
 }
 
-void TwoStepRegistration::step(const NormalEquations& sum, const std::array<int, 3>& dofs) noexcept {
+void TwoStepRegistration::solve(const std::array<int, 3>& dofs, const Matrix6d& penalty) noexcept {
+  NormalEquations sum;
+  sum.add(rows_.view());
+  sum.H += penalty;
   Eigen::Matrix3d H;
   Eigen::Vector3d b;
   for (int i = 0; i < 3; ++i) {
@@ -140,8 +164,7 @@ void TwoStepRegistration::step(const NormalEquations& sum, const std::array<int,
     b[i] = sum.b[di];
     for (int j = 0; j < 3; ++j) H(i, j) = sum.H(di, dofs[static_cast<std::size_t>(j)]);
   }
-  // Directions without information stay where the prediction put them.
-  H.diagonal().array() += 1e-6;
+  H.diagonal().array() += 1e-6;  // without any information: no step
   const Eigen::Vector3d solution = H.ldlt().solve(-b) * config_.update_gain;
   if (!solution.allFinite()) return;
   Vector6d delta = Vector6d::Zero();
@@ -149,30 +172,25 @@ void TwoStepRegistration::step(const NormalEquations& sum, const std::array<int,
   T_ = perturb(T_, delta);
 }
 
-// With a fixed kernel: the one used for solving widens with the misfit, and so would praise a bad fit.
-double TwoStepRegistration::support(const Matches& matches, Shape shape, std::size_t offered) const noexcept {
-  constexpr double kWidth_m = 0.1;
-  double sum = 0.0;
-  for (const Match& match : matches) sum += geman_mcclure(residual(match, shape), kWidth_m);
-  return sum / static_cast<double>(std::max<std::size_t>(1, offered));
-}
+void TwoStepRegistration::finish(RegistrationResult& result) noexcept {
+  rows_.clear();
+  add_rows(ground_, Shape::kPlane);
+  NormalEquations one, two;
+  one.add(rows_.view());
+  const std::size_t ground_rows = rows_.size();
+  add_rows(edges_, Shape::kLine);
+  add_rows(walls_, Shape::kPlane);
+  two.add(rows_.view().subspan(ground_rows));
 
-void TwoStepRegistration::finish(const FeatureSet& sources, RegistrationResult& result) noexcept {
-  NormalEquations ground, two;
-  accumulate(ground_, Shape::kPlane, ground);
-  accumulate(edges_, Shape::kLine, two);
-  if (config_.walls_in_step_two) accumulate(walls_, Shape::kPlane, two);
-
-  T_.linear() = Eigen::Quaterniond(T_.linear()).normalized().toRotationMatrix();
+  T_ = orthonormalized(T_);
   result.T_target_source = T_;
   result.ground_matches = static_cast<std::uint32_t>(ground_.size());
   result.edge_matches = static_cast<std::uint32_t>(edges_.size());
   result.wall_matches = static_cast<std::uint32_t>(walls_.size());
-  result.ground_rms_m = ground.rms_m();
+  result.ground_rms_m = one.rms_m();
   result.edge_rms_m = two.rms_m();
-  result.score =
-      support(edges_, Shape::kLine, sources.edges.size) + support(walls_, Shape::kPlane, sources.walls.size);
-  result.information = ground.H + two.H;
+  result.information = one.H + two.H;
+  result.weak = registration::find_weak_directions(result.information, rows_.view(), config_.min_contribution);
 }
 
 }  // namespace pago::odometry

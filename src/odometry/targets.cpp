@@ -33,7 +33,8 @@ Targets::Cells::Cells(const CellTargetsConfig& config, std::size_t max_points)
     : planes(planes_of(config), static_cast<std::uint32_t>(max_points) / 4),
       lines(lines_of(config), kNumRings * 6 * 40) {}
 
-Targets::Targets(const OdometryConfig& config, std::size_t max_points) : per_ring_(config.ring_neighbours) {
+Targets::Targets(const OdometryConfig& config, std::size_t max_points)
+    : radius_m_(static_cast<float>(config.match_radius_m)), per_ring_(config.ring_neighbours) {
   if (config.targets == TargetKind::kCells) {
     cells_ = std::make_unique<Cells>(config.cells, max_points);
   } else {
@@ -58,30 +59,28 @@ void Targets::build(const FeatureSet& features, const Vector6d& twist) noexcept 
   rings_->walls.build(rings_->deskewed);
 }
 
-std::optional<Plane> Targets::find_plane(const Eigen::Vector3d& query,
-                                         std::uint8_t surface,
-                                         double radius_m) noexcept {
+std::optional<Plane> Targets::find_plane(const Eigen::Vector3d& query, std::uint8_t surface) noexcept {
   Eigen::Vector3f offset;
   const Cell* cell = cells_->planes.find_shape(query, surface, offset);
-  if (cell == nullptr || !(std::abs(cell->axis.dot(offset)) < static_cast<float>(radius_m))) return std::nullopt;
+  if (cell == nullptr || !(std::abs(cell->axis.dot(offset)) < radius_m_)) return std::nullopt;
   return Plane{query - offset.cast<double>(), cell->axis.cast<double>(), static_cast<double>(cell->thickness_m2)};
 }
 
-std::optional<Plane> Targets::find_ground(const Eigen::Vector3d& query, double radius_m) noexcept {
-  if (cells_) return find_plane(query, kGround, radius_m);
-  return odometry::find_plane(rings_->ground, query.cast<float>(), static_cast<float>(radius_m), per_ring_);
+std::optional<Plane> Targets::find_ground(const Eigen::Vector3d& query) noexcept {
+  if (cells_) return find_plane(query, kGround);
+  return odometry::find_plane(rings_->ground, query.cast<float>(), radius_m_, per_ring_);
 }
 
-std::optional<Plane> Targets::find_wall(const Eigen::Vector3d& query, double radius_m) noexcept {
-  if (cells_) return find_plane(query, kNonGround, radius_m);
-  return odometry::find_plane(rings_->walls, query.cast<float>(), static_cast<float>(radius_m), per_ring_);
+std::optional<Plane> Targets::find_wall(const Eigen::Vector3d& query) noexcept {
+  if (cells_) return find_plane(query, kNonGround);
+  return odometry::find_plane(rings_->walls, query.cast<float>(), radius_m_, per_ring_);
 }
 
-std::optional<Line> Targets::find_edge(const Eigen::Vector3d& query, double radius_m) noexcept {
-  if (!cells_) return find_line(rings_->edges, query.cast<float>(), static_cast<float>(radius_m));
+std::optional<Line> Targets::find_edge(const Eigen::Vector3d& query) noexcept {
+  if (!cells_) return find_line(rings_->edges, query.cast<float>(), radius_m_);
   Eigen::Vector3f offset;
   const Cell* cell = cells_->lines.find_shape(query, kNonGround, offset);
-  if (cell == nullptr || !(cell->axis.cross(offset).norm() < static_cast<float>(radius_m))) return std::nullopt;
+  if (cell == nullptr || !(cell->axis.cross(offset).norm() < radius_m_)) return std::nullopt;
   return Line{query - offset.cast<double>(), cell->axis.cast<double>(), static_cast<double>(cell->thickness_m2)};
 }
 

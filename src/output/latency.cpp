@@ -28,7 +28,7 @@ std::string cell(bool is_there, std::int64_t duration_ns) {
 
 std::string_view stage_name(StageId stage) noexcept {
   constexpr std::array<std::string_view, kNumStages> kNames{"ingest", "ground", "features", "odometry",
-                                                            "mapping"};
+                                                            "mapping", "update"};
   return kNames[static_cast<std::size_t>(stage)];
 }
 

@@ -74,10 +74,10 @@ struct Odometry::Parts {
         odometer(c.odometry, max_returns, mapper.refined()) {}
 
   void run_stages() noexcept {
-    Chain stages(*segmenter, extractor, odometer, mapper);
-    stages.begin(sweep);
-    stages.accept({&sweep, sweep.size, sweep.header.num_columns, true});
-    stages.finish(sweep);
+    Update next_targets(odometer);
+    Update next_map(mapper);
+    Chain stages(*segmenter, extractor, odometer, mapper, next_targets, next_map);
+    stages.process(sweep);
   }
 
   Sweep sweep;

@@ -62,7 +62,11 @@ struct Pipeline::Parts {
     Timed odometry(StageId::kOdometry, odometer);
     Chain front(ground, features);
     Timed mapping(StageId::kMapping, mapper);
-    Chain estimate(odometry, mapping);
+    Update next_targets(odometer);
+    Update next_map(mapper);
+    Chain after(next_targets, next_map);
+    Timed update(StageId::kUpdate, after);
+    Chain estimate(odometry, mapping, update);
     const auto finish = [this](Sweep* sweep) noexcept {
       if (sweep == nullptr) return push(records, Published{{}, true});
       posed += sweep->estimate.has_pose ? 1 : 0;

@@ -45,12 +45,10 @@ void run_parts(S& stage, platform::Channel<SweepPart>& in, platform::Channel<Swe
 }
 
 /// The same for whole sweeps; `done(sweep)` is called with each, and with null at the end.
-template <Stage S, typename Done>
-void run_sweeps(S& stage, platform::Channel<Sweep*>& in, Done done) noexcept {
+template <Stage... Stages, typename Done>
+void run_sweeps(Chain<Stages...>& stages, platform::Channel<Sweep*>& in, Done done) noexcept {
   while (Sweep* sweep = pop(in)) {
-    stage.begin(*sweep);
-    stage.accept({sweep, sweep->size, sweep->header.num_columns, true});
-    stage.finish(*sweep);
+    stages.process(*sweep);
     done(sweep);
   }
   done(nullptr);

@@ -32,20 +32,72 @@ void describe(Visitor& v, CellsConfig& c) {
   v("radius_m", c.radius_m, within(10.0, 1000.0), "cells farther from the sensor are given up");
 }
 
+/// [mapping.start] The motions that the first sweeps are tried with.
+struct StartConfig {
+  bool search = true;
+  double max_speed_m_s = 30.0;
+  double speed_step_m_s = 5.0;
+  double turn_rate_deg_s = 20.0;
+};
+
+template <typename Visitor>
+void describe(Visitor& v, StartConfig& c) {
+  v("search", c.search, "find out how the vehicle moves at the start; false: it stands");
+  v("max_speed_m_s", c.max_speed_m_s, within(0.0, 100.0), "highest speed that is tried");
+  v("speed_step_m_s", c.speed_step_m_s, within(1.0, 50.0), "steps of the speeds tried; the first backwards, too");
+  v("turn_rate_deg_s", c.turn_rate_deg_s, within(0.0, 90.0),
+    "up to half the highest speed, turns to either side are tried");
+}
+
+/// [mapping.trust] When a registration is not believed.
+struct TrustConfig {
+  int min_matches = 100;
+  double min_score_ratio = 0.5;
+  double max_correction_m = 2.0;
+  double max_correction_deg = 5.0;
+  double max_acceleration_m_s2 = 15.0;
+  int relocalise_after = 5;
+  int restart_after = 20;
+  int lost_after = 5;
+};
+
+template <typename Visitor>
+void describe(Visitor& v, TrustConfig& c) {
+  v("min_matches", c.min_matches, within(6, 10000), "fewer matches: prediction instead");
+  v("min_score_ratio", c.min_score_ratio, within(0.0, 1.0),
+    "a sweep that fits the map by less than this part of what was usual lately: prediction instead");
+  v("max_correction_m", c.max_correction_m, within(0.01, 100.0),
+    "a pose farther from the predicted one is implausible; more after failures");
+  v("max_correction_deg", c.max_correction_deg, within(0.1, 180.0), "the same for rotation");
+  v("max_acceleration_m_s2", c.max_acceleration_m_s2, within(1.0, 1000.0), "and for the change of velocity");
+  v("relocalise_after", c.relocalise_after, within(1, 1000),
+    "failures in a row after which the pose is sought in the whole neighbourhood");
+  v("restart_after", c.restart_after, within(2, 10000), "failures in a row after which the map is begun anew");
+  v("lost_after", c.lost_after, within(1, 1000), "predicted sweeps in a row until the state is LOST");
+}
+
 /// [mapping] Scan-to-map registration: the refined pose.
 struct MappingConfig {
   CellsConfig cells;
+  StartConfig start;
+  TrustConfig trust;
+  bool refine = true;
   int max_iterations = 8;
   double gate_m = 1.0;
   double point_sigma_m = 0.03;
   double kernel_min_m = 0.05;
   double stop_translation_m = 0.001;
   double stop_rotation_rad = 0.0001;
+  double prior_weight = 0.3;
+  double min_contribution = 1.0;
 };
 
 template <typename Visitor>
 void describe(Visitor& v, MappingConfig& c) {
   v.section("cells", c.cells, "the local map");
+  v.section("start", c.start, "the motion that the sensor is switched on in");
+  v.section("trust", c.trust, "when a registration is not believed");
+  v("refine", c.refine, "register sweeps to the map; false: refined poses are the first poses");
   v("max_iterations", c.max_iterations, within(1, 100), "most rounds of matching and solving in a sweep");
   v("gate_m", c.gate_m, within(0.05, 10.0), "points farther from the plane are not matched");
   v("point_sigma_m", c.point_sigma_m, within(0.001, 1.0),
@@ -54,6 +106,10 @@ void describe(Visitor& v, MappingConfig& c) {
     "least width of the Geman-McClure kernel, otherwise three times the residuals' robust deviation");
   v("stop_translation_m", c.stop_translation_m, within(0.0, 1.0), "a step that moves less ends the search");
   v("stop_rotation_rad", c.stop_rotation_rad, within(0.0, 0.1), "and turns less");
+  v("prior_weight", c.prior_weight, within(0.0, 1.0),
+    "how far the scan-to-scan motion is trusted beside the map, as part of its own information");
+  v("min_contribution", c.min_contribution, within(0.0, 1000.0),
+    "a direction of motion for which fewer matches speak, by squared cosine, counts as not observable");
 }
 
 }  // namespace pago

@@ -16,6 +16,12 @@ enum class TargetKind {
   kRings   ///< the plane or line through the nearest features, by ring: LOAM's
 };
 
+/// How residuals lose weight with their size.
+enum class Kernel {
+  kGemanMcClure,  ///< as wide as three times the residuals' robust deviation
+  kLoam           ///< linearly, after the first round: LOAM's code
+};
+
 /// [odometry.cells] Targets as Gaussian cells.
 struct CellTargetsConfig {
   double cell_m = 1.0;
@@ -52,7 +58,7 @@ struct OdometryConfig {
   int steps_per_round = 2;
   double update_gain = 1.0;
   double match_radius_m = 2.0;
-  double start_match_radius_m = 5.0;
+  Kernel kernel = Kernel::kGemanMcClure;
   double kernel_min_m = 0.05;
   double stop_translation_m = 0.001;
   double stop_rotation_rad = 0.0001;
@@ -62,7 +68,7 @@ struct OdometryConfig {
   double max_correction_deg = 5.0;
   double point_sigma_m = 0.03;
   double edge_sigma_m = 0.2;
-  double min_information_ratio = 0.001;
+  double min_contribution = 1.0;
   int lost_after = 5;
 };
 
@@ -88,7 +94,9 @@ void describe(Visitor& v, OdometryConfig& c) {
     "part of each Gauss-Newton step that is taken (the paper's code: 0.05)");
   v("match_radius_m", c.match_radius_m, within(0.1, 20.0),
     "features farther apart are not matched (LeGO-LOAM: 5)");
-  v("start_match_radius_m", c.start_match_radius_m, within(0.1, 20.0), "the same while no motion is known");
+  v("kernel", c.kernel,
+    choices(std::pair{"geman_mcclure", Kernel::kGemanMcClure}, std::pair{"loam", Kernel::kLoam}),
+    "how residuals lose weight with their size");
   v("kernel_min_m", c.kernel_min_m, within(0.001, 1.0),
     "least width of the Geman-McClure kernel, otherwise three times the residuals' robust deviation");
   v("stop_translation_m", c.stop_translation_m, within(0.0, 1.0), "a round that moves less ends the search");
@@ -103,8 +111,8 @@ void describe(Visitor& v, OdometryConfig& c) {
     "deviation of a point from its plane by the sensor alone; thicker planes weigh less");
   v("edge_sigma_m", c.edge_sigma_m, within(0.001, 10.0),
     "the same for an edge and its line: where an edge is seen depends on where firings fall, in each sweep anew");
-  v("min_information_ratio", c.min_information_ratio, within(0.0, 1.0),
-    "a direction with less than this part of the strongest direction's information counts as not observable");
+  v("min_contribution", c.min_contribution, within(0.0, 1000.0),
+    "a direction of motion for which fewer matches speak, by squared cosine, counts as not observable");
   v("lost_after", c.lost_after, within(1, 1000), "predicted sweeps in a row until the state is LOST");
 }
 

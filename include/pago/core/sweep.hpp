@@ -12,7 +12,7 @@
 namespace pago {
 
 /// Where a sweep's time goes. One entry per row of the latency table.
-enum class StageId : std::uint8_t { kIngest, kGround, kFeatures, kOdometry, kMapping, kCount };
+enum class StageId : std::uint8_t { kIngest, kGround, kFeatures, kOdometry, kMapping, kUpdate, kCount };
 inline constexpr std::size_t kNumStages = static_cast<std::size_t>(StageId::kCount);
 
 /// One stage's time on one sweep. Monotonic clock; zero where the stage did not run.
@@ -85,11 +85,13 @@ struct ScanMotion {
   Matrix6d information = Matrix6d::Zero();
 };
 
-/// What mapping leaves for odometry's next sweep: where the last one was, once the map had its say. Both live in
-/// the estimate thread.
+/// What mapping leaves for odometry's next sweep: the last one, once the map had its say. Both live in the
+/// estimate thread.
 struct RefinedState {
-  bool is_valid = false;
-  Eigen::Isometry3d T_odom_reference = Eigen::Isometry3d::Identity();
+  bool is_placed = false;   ///< the pose below is one
+  bool has_motion = false;  ///< it is known how the sensor moves
+  Eigen::Isometry3d T_odom_reference = Eigen::Isometry3d::Identity();  ///< at the reference instant
+  Vector6d twist = Vector6d::Zero();  ///< per second, sensor frame, over the last period
 };
 
 /// One rotation of the sensor, the frame that travels through the pipeline. Preallocated, structure of

@@ -27,9 +27,9 @@ class Targets {
   void build(const FeatureSet& features, const Vector6d& twist) noexcept;
 
   /// The plane or line that a feature at `query` belongs to.
-  std::optional<Plane> find_ground(const Eigen::Vector3d& query, double radius_m) noexcept;
-  std::optional<Plane> find_wall(const Eigen::Vector3d& query, double radius_m) noexcept;
-  std::optional<Line> find_edge(const Eigen::Vector3d& query, double radius_m) noexcept;
+  std::optional<Plane> find_ground(const Eigen::Vector3d& query) noexcept;
+  std::optional<Plane> find_wall(const Eigen::Vector3d& query) noexcept;
+  std::optional<Line> find_edge(const Eigen::Vector3d& query) noexcept;
 
  private:
   /// Gaussian cells: see registration/cell_map.hpp.
@@ -45,8 +45,9 @@ class Targets {
     GridIndex edges, ground, walls;
   };
 
-  std::optional<Plane> find_plane(const Eigen::Vector3d& query, std::uint8_t surface, double radius_m) noexcept;
+  std::optional<Plane> find_plane(const Eigen::Vector3d& query, std::uint8_t surface) noexcept;
 
+  float radius_m_;
   int per_ring_;
   std::unique_ptr<Cells> cells_;
   std::unique_ptr<Rings> rings_;

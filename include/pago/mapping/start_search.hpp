@@ -1,0 +1,78 @@
+// SPDX-FileCopyrightText: 2026 The PaGO authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "pago/mapping/joint_registration.hpp"
+
+namespace pago::mapping {
+
+/// Finds the motion that the sensor is switched on in. Nothing predicts it, both first sweeps are distorted by
+/// it, and one pair of sweeps can fit best for a wrong one: the pattern of scan lines on the ground and the
+/// traffic that drives along fit zero motion (seen on motorways: spec/odometry-prototype.md section 6). So
+/// several motions are carried on, each with a small map of its own, until one explains the sweeps best.
+///
+/// [set-up] constructor: about 6 MB and 2 MB per hypothesis; [estimate thread] the rest: real-time safe,
+/// deterministic.
+class StartSearch {
+ public:
+  explicit StartSearch(const MappingConfig& config);
+
+  /// The first sweep.
+  void begin(const registration::PointCloud& map_points, bool is_compensated) noexcept;
+
+  /// The next one, `period_s` (> 0) after the last by their reference instants.
+  void add(const registration::PointCloud& map_points,
+           const registration::PointCloud& key_points,
+           double period_s) noexcept;
+
+  /// One hypothesis is left, or none is going to be told from the others.
+  bool is_decided() const noexcept;
+
+  /// The best one so far; after begin() alone standing still.
+  const Eigen::Isometry3d& T_start_last() const noexcept;  ///< of the last sweep, from the first one's frame
+  const Vector6d& twist() const noexcept;                  ///< per second, over the last period
+  const JointResult& result() const noexcept;              ///< of the last sweep
+  int num_sweeps() const noexcept { return num_sweeps_; }
+
+  /// Puts all sweeps into `map`, as the best hypothesis places them; `T_map_start` is the first one's pose.
+  void hand_over(const Eigen::Isometry3d& T_map_start, registration::CellMap& map) const noexcept;
+
+ private:
+  static constexpr int kMostSweeps = 8;
+  static constexpr std::size_t kMostHypotheses = 6, kMostSeeds = 24;
+
+  struct Path {
+    std::array<Eigen::Isometry3d, kMostSweeps> T_start_sweep;
+    std::array<Vector6d, kMostSweeps> twist;
+    JointResult last;
+    double score = 0.0;  // summed over the sweeps after the first
+
+    double mean_score(int num_sweeps) const noexcept { return score / (num_sweeps - 1); }
+  };
+
+  JointResult try_seed(const Vector6d& seed_twist,
+                       const registration::PointCloud& key_points,
+                       double period_s) noexcept;
+  void sow(const registration::PointCloud& key_points, double period_s) noexcept;
+  void advance(std::size_t h, const registration::PointCloud& key_points, double period_s) noexcept;
+  void insert(int sweep, const Eigen::Isometry3d& T, const Vector6d& twist, registration::CellMap& map) const noexcept;
+  void rank() noexcept;
+  bool agree(const Path& a, const Path& b) const noexcept;
+
+  MappingConfig config_;
+  std::vector<Vector6d> seeds_;  // per second
+  JointRegistration registration_;
+  std::vector<registration::PointCloud> sweeps_;
+  registration::CellMap scratch_;
+  std::vector<registration::CellMap> maps_;  // maps_[map_of_[h]] belongs to paths_[h]
+  std::array<Path, kMostHypotheses> paths_;  // best first
+  std::array<std::size_t, kMostHypotheses> map_of_{};
+  std::size_t num_paths_ = 0;
+  int num_sweeps_ = 0;
+  bool is_compensated_ = false;
+};
+
+}  // namespace pago::mapping

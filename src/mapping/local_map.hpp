@@ -1,0 +1,22 @@
+// SPDX-FileCopyrightText: 2026 The PaGO authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "pago/config/mapping.hpp"
+#include "pago/registration/cell_map.hpp"
+#include "pago/registration/point_cloud.hpp"
+
+namespace pago::mapping {
+
+registration::CellMapOptions options_of(const CellsConfig& config) noexcept;
+
+/// Adds points, de-skewed by `twist`, seen from `T_map_sensor`. Real-time safe.
+void insert_points(const registration::PointCloud& points,
+                   const Vector6d& twist,
+                   const Eigen::Isometry3d& T_map_sensor,
+                   registration::CellMap& map) noexcept;
+
+/// As much as `to` holds.
+void copy(const registration::PointCloud& from, registration::PointCloud& to) noexcept;
+
+}  // namespace pago::mapping

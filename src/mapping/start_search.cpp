@@ -1,0 +1,207 @@
+// SPDX-FileCopyrightText: 2026 The PaGO authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "pago/mapping/start_search.hpp"
+
+#include <algorithm>
+#include <cstdio>
+#include <cstdlib>
+#include <numbers>
+
+#include "local_map.hpp"
+#include "pago/core/se3.hpp"
+#include "pago/core/sweep.hpp"
+
+namespace pago::mapping {
+
+using registration::CellMap;
+using registration::Deskew;
+using registration::PointCloud;
+
+namespace {
+
+/// A few sweeps' cells.
+constexpr std::uint32_t kCells = 20'000;
+/// Seeds are tried on a part of the key points: there are many seeds, and they need only fall into a hollow.
+constexpr std::size_t kSeedStride = 3;
+constexpr int kSeedPasses = 2;
+
+/// Motions that a road vehicle may be found in. Fast ones turn little.
+std::vector<Vector6d> seeds_of(const StartConfig& c) {
+  std::vector<Vector6d> seeds;
+  const auto sow = [&seeds](double speed_m_s, double turn_rad_s) {
+    Vector6d twist = Vector6d::Zero();
+    twist[0] = speed_m_s, twist[5] = turn_rad_s;
+    seeds.push_back(twist);
+  };
+  const double turn_rad_s = c.turn_rate_deg_s * std::numbers::pi / 180.0;
+  for (double speed_m_s = 0.0; speed_m_s <= c.max_speed_m_s; speed_m_s += c.speed_step_m_s) {
+    sow(speed_m_s, 0.0);
+    if (speed_m_s > 0.5 * c.max_speed_m_s) continue;
+    sow(speed_m_s, turn_rad_s);
+    sow(speed_m_s, -turn_rad_s);
+  }
+  sow(-c.speed_step_m_s, 0.0);
+  return seeds;
+}
+
+/// Where nothing else tells motions apart, the sensor stands.
+double score_of(const JointResult& result, const Vector6d& twist) noexcept {
+  constexpr double kPerSpeed_s_m = 0.0005;
+  return result.score - kPerSpeed_s_m * twist.head<3>().norm();
+}
+
+}  // namespace
+
+StartSearch::StartSearch(const MappingConfig& config)
+    : config_(config),
+      seeds_(seeds_of(config.start)),
+      registration_(config, kMaxKeyPoints),
+      scratch_(options_of(config.cells), kCells) {
+  for (int i = 0; i < kMostSweeps; ++i) sweeps_.emplace_back(kMaxMapPoints);
+  for (std::size_t h = 0; h < kMostHypotheses; ++h) maps_.emplace_back(options_of(config.cells), kCells);
+}
+
+void StartSearch::begin(const PointCloud& map_points, bool is_compensated) noexcept {
+  is_compensated_ = is_compensated;
+  num_sweeps_ = 1;
+  copy(map_points, sweeps_[0]);
+  num_paths_ = 1;
+  paths_[0] = {};
+  paths_[0].T_start_sweep[0].setIdentity();
+  paths_[0].twist[0].setZero();
+}
+
+void StartSearch::add(const PointCloud& map_points, const PointCloud& key_points, double period_s) noexcept {
+  copy(map_points, sweeps_[static_cast<std::size_t>(num_sweeps_)]);
+  ++num_sweeps_;
+  if (num_sweeps_ == 2) {
+    sow(key_points, period_s);
+  } else {
+    for (std::size_t h = 0; h < num_paths_; ++h) advance(h, key_points, period_s);
+  }
+  rank();
+  for (std::size_t h = 0; h < num_paths_; ++h) {
+    const auto last = static_cast<std::size_t>(num_sweeps_ - 1);
+    insert(num_sweeps_ - 1, paths_[h].T_start_sweep[last], paths_[h].twist[last], maps_[map_of_[h]]);
+  }
+}
+
+bool StartSearch::is_decided() const noexcept {
+  return num_sweeps_ >= 2 && (num_paths_ == 1 || num_sweeps_ == kMostSweeps);
+}
+
+const Eigen::Isometry3d& StartSearch::T_start_last() const noexcept {
+  return paths_[0].T_start_sweep[static_cast<std::size_t>(num_sweeps_ - 1)];
+}
+const Vector6d& StartSearch::twist() const noexcept {
+  return paths_[0].twist[static_cast<std::size_t>(num_sweeps_ - 1)];
+}
+const JointResult& StartSearch::result() const noexcept {
+  return paths_[0].last;
+}
+
+void StartSearch::hand_over(const Eigen::Isometry3d& T_map_start, CellMap& map) const noexcept {
+  for (int i = 0; i < num_sweeps_; ++i) {
+    const auto at = static_cast<std::size_t>(i);
+    insert(i, T_map_start * paths_[0].T_start_sweep[at], paths_[0].twist[at], map);
+  }
+}
+
+// The first sweep is distorted by the motion that is sought: each pass de-skews it with the motion found so far.
+JointResult StartSearch::try_seed(const Vector6d& seed_twist, const PointCloud& key_points, double period_s) noexcept {
+  JointLimits limits{config_.gate_m, config_.kernel_min_m, config_.max_iterations, kSeedStride, false};
+  MotionGuess guess;
+  guess.T_last_this = exp_se3(seed_twist * period_s);
+  guess.period_s = is_compensated_ ? 0.0 : period_s;
+  JointResult result;
+  for (int pass = 0; pass < kSeedPasses; ++pass) {
+    scratch_.clear();
+    insert(0, Eigen::Isometry3d::Identity(), log_se3(guess.T_last_this) / period_s, scratch_);
+    result = registration_.align(scratch_, key_points, guess, limits);
+    guess.T_last_this = result.T_last_this;
+  }
+  return result;
+}
+
+void StartSearch::sow(const PointCloud& key_points, double period_s) noexcept {
+  num_paths_ = 0;
+  for (const Vector6d& seed : seeds_) {
+    Path path;
+    path.last = try_seed(seed, key_points, period_s);
+    path.score = score_of(path.last, seed);
+    path.T_start_sweep[0].setIdentity();
+    path.T_start_sweep[1] = path.last.T_last_this;
+    path.twist[0] = path.twist[1] = log_se3(path.last.T_last_this) / period_s;
+    // Into the list of the best that differ from each other.
+    std::size_t at = 0;
+    while (at < num_paths_ && !agree(paths_[at], path)) ++at;
+    if (at == num_paths_) {
+      if (num_paths_ < kMostHypotheses) ++num_paths_;
+      at = num_paths_ - 1;  // the worst one's place, or a new one
+      if (at + 1 == kMostHypotheses && paths_[at].score >= path.score) continue;
+    } else if (paths_[at].score >= path.score) {
+      continue;
+    }
+    paths_[at] = path;
+    for (; at > 0 && paths_[at].score > paths_[at - 1].score; --at) std::swap(paths_[at], paths_[at - 1]);
+  }
+  for (std::size_t h = 0; h < num_paths_; ++h) {
+    map_of_[h] = h;
+    maps_[h].clear();
+    insert(0, paths_[h].T_start_sweep[0], paths_[h].twist[0], maps_[h]);
+  }
+}
+
+void StartSearch::advance(std::size_t h, const PointCloud& key_points, double period_s) noexcept {
+  Path& path = paths_[h];
+  const auto last = static_cast<std::size_t>(num_sweeps_ - 2);
+  MotionGuess guess;
+  guess.T_map_last = path.T_start_sweep[last];
+  guess.T_last_this = exp_se3(path.twist[last] * period_s);
+  guess.period_s = is_compensated_ ? 0.0 : period_s;
+  path.last = registration_.align(maps_[map_of_[h]], key_points, guess,
+                                  {config_.gate_m, config_.kernel_min_m, config_.max_iterations, 1, false});
+  path.score += score_of(path.last, path.twist[last]);
+  path.T_start_sweep[last + 1] = guess.T_map_last * path.last.T_last_this;
+  path.twist[last + 1] = log_se3(path.last.T_last_this) / period_s;
+}
+
+void StartSearch::insert(int sweep, const Eigen::Isometry3d& T, const Vector6d& twist, CellMap& map) const noexcept {
+  insert_points(sweeps_[static_cast<std::size_t>(sweep)], is_compensated_ ? Vector6d::Zero() : twist, T, map);
+}
+
+// Best first; gives up those that have come to agree with a better one, and those that fall behind: by less and less
+// the more sweeps have spoken.
+void StartSearch::rank() noexcept {
+  const auto twist_of_debug = [&](std::size_t h) { return paths_[h].twist[static_cast<std::size_t>(num_sweeps_ - 1)]; };
+  if (getenv("SD")) { for (std::size_t h=0;h<num_paths_;++h) printf("[%d] h%zu score %.3f tw %.2f %.2f w %.3f | ", num_sweeps_, h, paths_[h].mean_score(num_sweeps_), twist_of_debug(h)[0], twist_of_debug(h)[1], twist_of_debug(h)[5]); puts("");}
+  for (std::size_t h = 1; h < num_paths_; ++h) {
+    for (std::size_t at = h; at > 0 && paths_[at].score > paths_[at - 1].score; --at) {
+      std::swap(paths_[at], paths_[at - 1]);
+      std::swap(map_of_[at], map_of_[at - 1]);
+    }
+  }
+  constexpr double kMargin = 0.3;
+  const double least = paths_[0].mean_score(num_sweeps_) - kMargin / (num_sweeps_ - 1);
+  std::size_t kept = 1;
+  for (std::size_t h = 1; h < num_paths_; ++h) {
+    bool is_needless = paths_[h].mean_score(num_sweeps_) < least;
+    for (std::size_t better = 0; better < kept; ++better)
+      is_needless = is_needless || agree(paths_[better], paths_[h]);
+    if (is_needless) continue;
+    if (kept != h) {
+      paths_[kept] = paths_[h];
+      std::swap(map_of_[kept], map_of_[h]);
+    }
+    ++kept;
+  }
+  num_paths_ = kept;
+}
+
+bool StartSearch::agree(const Path& a, const Path& b) const noexcept {
+  constexpr double kSame_m = 0.1, kSame_rad = 0.01;
+  const Vector6d apart = difference(a.last.T_last_this, b.last.T_last_this);
+  return apart.head<3>().norm() < kSame_m && apart.tail<3>().norm() < kSame_rad;
+}
+
+}  // namespace pago::mapping
