@@ -19,6 +19,7 @@ namespace pago {
 struct Config {
   Mount mount;
   PacketFilterConfig packets;
+  UdpConfig udp;
   KittiConfig kitti;
   Hdl64Config hdl64;
   AssemblyConfig assembly;
@@ -33,6 +34,7 @@ template <typename Visitor>
 void describe(Visitor& v, Config& c) {
   v.section("mount", c.mount, "how the sensor sits on the vehicle");
   v.section("packets", c.packets, "which datagrams of a socket or a capture are the sensor's");
+  v.section("udp", c.udp, "how a live sensor's socket is read");
   v.section("kitti", c.kitti, "how a folder of KITTI scans is read");
   v.section("hdl64", c.hdl64, "the sensor: its calibration, and how its packets are read");
   v.section("assembly", c.assembly, "packets into sweeps");
