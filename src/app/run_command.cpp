@@ -44,7 +44,7 @@ class Recorder final : public Observer {
     recorder_.add(record);
     line_.count(record);
   }
-  void on_progress(const Progress& progress) override { line_.show(progress); }
+  void on_status(const IngestStatus& status) override { line_.show(status.progress); }
 
  private:
   output::RunRecorder& recorder_;

@@ -240,6 +240,7 @@ void OdometryStage::report(Sweep& sweep, const Instants& instants) noexcept {
   Estimate& estimate = sweep.estimate;
   estimate.has_pose = true;
   estimate.stamp_ns = instants.reported_ns;
+  estimate.twist = twist_;
   const Eigen::Isometry3d T_reference_reported =
       exp_se3(twist_ * seconds(instants.reported_ns - instants.reference_ns));
   estimate.T_odom_sensor_front_end = T_odom_reference_ * T_reference_reported;

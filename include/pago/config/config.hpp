@@ -28,6 +28,7 @@ struct Config {
   OdometryConfig odometry;
   PipelineConfig pipeline;
   OutputConfig output;
+  PublishConfig publish;
 };
 
 template <typename Visitor>
@@ -43,6 +44,7 @@ void describe(Visitor& v, Config& c) {
   v.section("odometry", c.odometry, "the motion from one sweep to the next");
   v.section("pipeline", c.pipeline, "threads");
   v.section("output", c.output, "what a run leaves behind");
+  v.section("publish", c.publish, "poses for other processes, while a live sensor is read");
 }
 
 }  // namespace pago

@@ -42,7 +42,7 @@ class Seqlock {
     // Acquire, pairs with the release of each word: one of a newer value shows its version to the load below.
     for (std::size_t i = 0; i < kWords; ++i) words[i] = words_[i].load(std::memory_order_acquire);
     if (version_.load(std::memory_order_relaxed) != before) return false;
-    std::memcpy(&value, words.data(), sizeof(T));
+    std::memcpy(static_cast<void*>(&value), words.data(), sizeof(T));
     return true;
   }
 

@@ -39,7 +39,10 @@ struct SweepHeader {
   std::int64_t start_ns = 0;   ///< sensor time of the first firing, ns since the Unix epoch
   std::int64_t end_ns = 0;     ///< sensor time of the end of the last firing
   std::int64_t first_arrival_ns = 0, last_arrival_ns = 0;  ///< host arrival of its first and last packet
-  std::int64_t closed_ns = 0;     ///< monotonic clock when the assembler handed it on
+  std::int64_t closed_ns = 0;  ///< monotonic clock when the assembler handed it on
+  /// Monotonic clock when its last packet arrived, as well as the host's clock tells (last_arrival_ns); in a
+  /// replay, where arrival was long ago: closed_ns. Latency counts from here.
+  std::int64_t complete_ns = 0;
   std::uint32_t num_columns = 0;  ///< firings in the rotation = used columns of the range image
   std::uint32_t firings_received = 0, firings_lost = 0;
   std::uint32_t packets_bad = 0;  ///< malformed datagrams that arrived while it was filled
