@@ -14,7 +14,6 @@
 #include "support/udp_sender.hpp"
 
 using namespace pago;
-using test::UdpSender;
 
 namespace {
 
@@ -63,7 +62,7 @@ std::string refusal(const std::function<void()>& create) {
 
 TEST_CASE("datagrams arrive whole, in order, with sender and arrival", "[udp]") {
   UdpSource source(kAnyPort);
-  UdpSender sensor(source.port(), "127.0.0.43");
+  test::UdpSender sensor(source.port(), "127.0.0.43");
   // The kernel begins to stamp a moment after it was asked to; until then reading stamps.
   sensor.send(payload(1206, 0));
   receive(source, 1);
@@ -98,7 +97,7 @@ TEST_CASE("nothing to receive is no end and no error", "[udp]") {
 
 TEST_CASE("another sender is filtered, an overlong datagram is counted as truncated", "[udp]") {
   UdpSource source(kAnyPort, {.port = 2368, .source_address = "127.0.0.43"});
-  UdpSender sensor(source.port(), "127.0.0.43"), other(source.port(), "127.0.0.44");
+  test::UdpSender sensor(source.port(), "127.0.0.43"), other(source.port(), "127.0.0.44");
   other.send(payload(1206, 1));
   sensor.send(payload(UdpSource::kMaxPayloadBytes + 1, 2));
   sensor.send(payload(UdpSource::kMaxPayloadBytes, 3));
@@ -115,7 +114,7 @@ TEST_CASE("another sender is filtered, an overlong datagram is counted as trunca
 
 TEST_CASE("what the kernel drops is counted to the datagram", "[udp]") {
   UdpSource source(kAnyPort, {}, {.receive_buffer_bytes = 4096, .drain_interval_ms = 0.1});
-  UdpSender sensor(source.port());
+  test::UdpSender sensor(source.port());
   std::size_t got = 0;
   for (int burst = 0; burst < 3; ++burst) {
     for (int i = 0; i < 300; ++i) sensor.send(payload(1206, 0));
@@ -168,7 +167,7 @@ TEST_CASE("endpoints are read as users write them", "[udp]") {
 
 TEST_CASE("receiving calls the heap never", "[udp]") {
   UdpSource source(kAnyPort);
-  UdpSender sensor(source.port());
+  test::UdpSender sensor(source.port());
   for (int i = 0; i < 150; ++i) sensor.send(payload(1206, 0));
   const test::AllocationGuard guard;
   std::size_t got = 0;
