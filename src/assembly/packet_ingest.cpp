@@ -17,14 +17,16 @@ constexpr std::int64_t kSilence_ns = 50'000'000;
 PacketIngest::PacketIngest(const AssemblyConfig& assembly,
                            const Hdl64Config& sensor,
                            const hdl64::Calibration& calibration,
-                           SweepExchange& exchange)
+                           SweepExchange& exchange,
+                           const SelfFilter& self)
     : sequencer_(assembly.reorder_window),
       decoder_(calibration, sensor.min_range_m, sensor.max_range_m),
       assembler_(assembly, calibration, exchange),
       stamp_to_first_firing_ns_(sensor.packet_stamp == PacketStamp::kLastFiring ? -hdl64::kPacketPeriod_ns
                                                                                 : 0),
       held_(kHold),
-      held_azimuths_(kHold) {}
+      held_azimuths_(kHold),
+      self_(self) {}
 
 void PacketIngest::push(const Datagram& datagram) noexcept {
   ++packets_.received;
@@ -168,6 +170,7 @@ void PacketIngest::assemble(const StampedPacket& packet) noexcept {
     const double revolutions = tracker_.revolutions(time_ns);
     const double azimuth_rad = 2.0 * std::numbers::pi * (revolutions - std::floor(revolutions));
     decoder_.decode(packet.view(), i, {azimuth_rad, 2.0 * std::numbers::pi * rate_rev_s}, returns_);
+    if (self_.has_box()) self_hits_ += static_cast<std::uint64_t>(self_.remove_own(returns_));
     assembler_.add({time_ns, packet.arrival_ns, revolutions, rate_rev_s}, returns_);
   }
 }

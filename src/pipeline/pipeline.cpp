@@ -180,6 +180,7 @@ void note(RunSummary& summary, const PacketSource& source, const PacketIngest& i
   summary.incomplete_sweeps = sweeps.incomplete;
   summary.sensor = hdl64::name(ingest.sensor());
   summary.clock_restarts = ingest.clock_restarts();
+  summary.self_hits = ingest.self_hits();
 }
 
 }  // namespace
@@ -189,7 +190,8 @@ RunSummary Pipeline::run(PacketSource& source,
                          Observer& observer,
                          const std::atomic<bool>& stop) {
   Parts& p = *parts_;
-  PacketIngest ingest(p.config.assembly, p.config.hdl64, calibration, p.exchange);
+  PacketIngest ingest(p.config.assembly, p.config.hdl64, calibration, p.exchange,
+                      SelfFilter(p.config.vehicle, p.config.mount));
   LiveWatch watch;
   RunSummary summary;
   p.flow(

@@ -8,6 +8,7 @@
 
 #include "pago/assembly/assembler.hpp"
 #include "pago/assembly/packet_sequencer.hpp"
+#include "pago/assembly/self_filter.hpp"
 #include "pago/config/hdl64.hpp"
 #include "pago/core/sources.hpp"
 #include "pago/hdl64/device_clock.hpp"
@@ -38,7 +39,8 @@ class PacketIngest {
   PacketIngest(const AssemblyConfig& assembly,
                const Hdl64Config& sensor,
                const hdl64::Calibration& calibration,
-               SweepExchange& exchange);
+               SweepExchange& exchange,
+               const SelfFilter& self = {});
 
   /// Takes the next datagram in order of arrival. May acquire a sweep and hand parts on.
   void push(const Datagram& datagram) noexcept;
@@ -66,6 +68,8 @@ class PacketIngest {
 
   /// The head's speed, 0 while it does not turn as a sensor does.
   double rotation_hz() const noexcept { return tracker_.is_spinning() ? tracker_.rate_rev_s() : 0.0; }
+  /// Returns so far that were the vehicle's own body and left out.
+  std::uint64_t self_hits() const noexcept { return self_hits_; }
   /// How often the sensor's clock began anew (power cycle, GPS found).
   std::uint64_t clock_restarts() const noexcept { return clock_.restarts(); }
 
@@ -100,6 +104,8 @@ class PacketIngest {
   std::size_t num_held_ = 0;
   std::int64_t newest_ns_ = 0;
 
+  SelfFilter self_;
+  std::uint64_t self_hits_ = 0;
   hdl64::FiringReturns returns_{};
   PacketCounters packets_;
 };

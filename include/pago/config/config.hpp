@@ -11,6 +11,7 @@
 #include "pago/config/odometry.hpp"
 #include "pago/config/output.hpp"
 #include "pago/config/pipeline.hpp"
+#include "pago/config/vehicle.hpp"
 
 namespace pago {
 
@@ -18,6 +19,7 @@ namespace pago {
 /// or from files and `key=value` words (config/load.hpp). Plain data: copy freely.
 struct Config {
   Mount mount;
+  VehicleConfig vehicle;
   PacketFilterConfig packets;
   UdpConfig udp;
   KittiConfig kitti;
@@ -34,6 +36,7 @@ struct Config {
 template <typename Visitor>
 void describe(Visitor& v, Config& c) {
   v.section("mount", c.mount, "how the sensor sits on the vehicle");
+  v.section("vehicle", c.vehicle, "the vehicle's own body, whose returns are left out");
   v.section("packets", c.packets, "which datagrams of a socket or a capture are the sensor's");
   v.section("udp", c.udp, "how a live sensor's socket is read");
   v.section("kitti", c.kitti, "how a folder of KITTI scans is read");

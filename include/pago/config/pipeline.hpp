@@ -33,7 +33,8 @@ void describe(Visitor& v, PipelineConfig& c) {
   v.section("front", c.front, "ground, clusters and features");
   v.section("estimate", c.estimate, "odometry and mapping");
   v("max_pending", c.max_pending, within(1, 64),
-    "while a live sensor is read: when more complete sweeps than this wait for a thread, it skips to the newest");
+    "while a live sensor is read: when more complete sweeps than this wait for a thread, it skips to the "
+    "newest");
 }
 
 }  // namespace pago

@@ -49,6 +49,7 @@ struct RunSummary {
   SweepCounters sweeps;
   std::uint64_t incomplete_sweeps = 0;  ///< posed, but more than 10 % of the rotation was missing
   std::uint64_t clock_restarts = 0;     ///< of the sensor's clock: power cycles, GPS found
+  std::uint64_t self_hits = 0;  ///< returns that were the vehicle's own body and left out; packet runs only
   std::uint64_t unrecorded = 0;         ///< live: sweeps and poses that the observer was too slow for
   std::string sensor;                   ///< what the stream came from, e.g. "HDL-64E S2/S3, single return"
   std::vector<std::string> threads;     ///< what each thread asked for and got
