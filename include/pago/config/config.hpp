@@ -31,6 +31,7 @@ struct Config {
   PipelineConfig pipeline;
   OutputConfig output;
   PublishConfig publish;
+  ControlConfig control;
 };
 
 template <typename Visitor>
@@ -48,6 +49,7 @@ void describe(Visitor& v, Config& c) {
   v.section("pipeline", c.pipeline, "threads");
   v.section("output", c.output, "what a run leaves behind");
   v.section("publish", c.publish, "poses for other processes, while a live sensor is read");
+  v.section("control", c.control, "how a live run is talked to");
 }
 
 }  // namespace pago

@@ -32,6 +32,17 @@ void describe(Visitor& v, PublishConfig& c) {
     "file that gets each refined pose as a line of JSON; - is the terminal; empty: none");
 }
 
+/// [control]
+struct ControlConfig {
+  std::string socket;
+};
+
+template <typename Visitor>
+void describe(Visitor& v, ControlConfig& c) {
+  v("socket", c.socket,
+    "Unix socket by which `pago ctl` talks to this run; empty: the user's usual one; none: not at all");
+}
+
 /// [output]
 struct OutputConfig {
   std::string folder = "results";
