@@ -8,14 +8,8 @@
 
 namespace pago {
 
-namespace {
-
-constexpr std::int64_t kInterval_ns = 2'000'000;
-
-}  // namespace
-
-PacedSource::PacedSource(PacketSource& recorded, double speed) noexcept
-    : recorded_(recorded), speed_(speed) {}
+PacedSource::PacedSource(PacketSource& recorded, double speed, std::int64_t interval_ns) noexcept
+    : recorded_(recorded), speed_(speed), interval_ns_(interval_ns) {}
 
 std::int64_t PacedSource::due_ns(const Datagram& datagram) const noexcept {
   const auto after_ns = static_cast<double>(datagram.arrival_ns - first_arrival_ns_);
@@ -38,7 +32,7 @@ bool PacedSource::fetch() noexcept {
 std::span<const Datagram> PacedSource::receive() noexcept {
   if (!fetch()) return {};
   if (due_ns(waiting_.front()) > platform::monotonic_ns())
-    platform::sleep_until_ns(platform::monotonic_ns() + kInterval_ns);
+    platform::sleep_until_ns(platform::monotonic_ns() + interval_ns_);
   const std::int64_t now_ns = platform::monotonic_ns();
   std::size_t size = 0;
   while (size < batch_.size() && size < waiting_.size() && due_ns(waiting_[size]) <= now_ns) {

@@ -51,6 +51,10 @@ struct Pipeline::Parts {
     PublishPose refined_pose(output::PoseKind::kRefined, pose_maker, board ? &*board : nullptr, outlet);
     Chain front(ground, features);
     Chain estimate(odometry, first_pose, refined_pose);
+    const auto begin_anew = [this] {
+      // Relaxed: a wish, which guards no data.
+      if (is_reset_requested.exchange(false, std::memory_order_relaxed)) odometer.reset();
+    };
     const auto finish = [this](Sweep* sweep) noexcept {
       if (sweep == nullptr) return outlet.send({News::Kind::kEnd, {}, {}});
       count_fate(*sweep);
@@ -63,7 +67,8 @@ struct Pipeline::Parts {
     platform::Thread estimate_thread, front_thread, ingest_thread;
     try {
       //                                              thread                        does                writes
-      estimate_thread = {plan("estimate", on.estimate), [&] { run_sweeps(estimate, sweeps, finish); }};
+      estimate_thread = {plan("estimate", on.estimate),
+                         [&] { run_sweeps(estimate, sweeps, begin_anew, finish); }};
       front_thread = {plan("front", on.front), [&] { run_parts(front, parts, sweeps); }};
       ingest_thread = {plan("ingest", on.ingest), [&] { ingest(), exchange.end(); }};
     } catch (...) {  // a thread could not be made: end those that wait already
@@ -144,6 +149,7 @@ struct Pipeline::Parts {
   Outlet outlet{news, /*waits=*/pace == Pace::kReplay};
   SweepCounters fates;  // of the sweeps that came through
   bool has_run = false;
+  std::atomic<bool> is_reset_requested{false};
   std::atomic<bool> is_abandoned{false};
 };
 
@@ -152,6 +158,10 @@ Pipeline::Pipeline(const Config& config, Pace pace) {
   parts_ = std::make_unique<Parts>(config, pace);
 }
 Pipeline::~Pipeline() = default;
+
+void Pipeline::request_reset() noexcept {
+  parts_->is_reset_requested.store(true, std::memory_order_relaxed);
+}
 
 namespace {
 

@@ -62,10 +62,12 @@ void run_parts(S& stage, Link<SweepPart>& in, Link<Sweep*>& out) noexcept {
   push(out.channel, static_cast<Sweep*>(nullptr));
 }
 
-/// The same for whole sweeps; `done(sweep)` is called with each, and with null at the end.
-template <Stage S, typename Done>
-void run_sweeps(S& stage, Link<Sweep*>& in, Done done) noexcept {
+/// The same for whole sweeps; `before()` is called ahead of each, `done(sweep)` after it, and with null at
+/// the end.
+template <Stage S, typename Before, typename Done>
+void run_sweeps(S& stage, Link<Sweep*>& in, Before before, Done done) noexcept {
   while (Sweep* sweep = pop(in.channel)) {
+    before();
     if (in.backlog.passes_over()) sweep->header.flags |= kSuperseded;
     stage.begin(*sweep);
     stage.accept({sweep, sweep->size, sweep->header.num_columns, true});

@@ -11,10 +11,13 @@ namespace pago {
 /// Makes a recorded source behave like a live one: its datagrams come when they are due, `speed` times as
 /// fast as they were recorded, and arrive now. What nobody fetches in time is late, as in a socket's buffer,
 /// but never lost. Holds a reference: the recorded source must outlive it. [ingest thread] receive() sleeps
-/// until the next datagram is due, but 2 ms at least; real-time safe if the recorded source is.
+/// for `interval_ns` if nothing is due, so that what falls due in between comes together; real-time safe if
+/// the recorded source is.
 class PacedSource final : public PacketSource {
  public:
-  explicit PacedSource(PacketSource& recorded, double speed = 1.0) noexcept;
+  explicit PacedSource(PacketSource& recorded,
+                       double speed = 1.0,
+                       std::int64_t interval_ns = 2'000'000) noexcept;
 
   std::span<const Datagram> receive() noexcept override;
   bool all_done() const noexcept override;
@@ -31,6 +34,7 @@ class PacedSource final : public PacketSource {
 
   PacketSource& recorded_;
   double speed_;
+  std::int64_t interval_ns_;
   std::span<const Datagram> waiting_;
   bool has_started_ = false;
   std::int64_t first_arrival_ns_ = 0, start_ns_ = 0;  // recorded; monotonic

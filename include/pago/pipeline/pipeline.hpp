@@ -49,12 +49,12 @@ struct RunSummary {
   SweepCounters sweeps;
   std::uint64_t incomplete_sweeps = 0;  ///< posed, but more than 10 % of the rotation was missing
   std::uint64_t clock_restarts = 0;     ///< of the sensor's clock: power cycles, GPS found
-  std::uint64_t self_hits = 0;  ///< returns that were the vehicle's own body and left out; packet runs only
-  std::uint64_t unrecorded = 0;         ///< live: sweeps and poses that the observer was too slow for
-  std::string sensor;                   ///< what the stream came from, e.g. "HDL-64E S2/S3, single return"
-  std::vector<std::string> threads;     ///< what each thread asked for and got
-  std::string complaint;  ///< the source's own words if it ended early; what came before was used
-  std::string failure;    ///< why the run could not be completed; empty if it was
+  std::uint64_t self_hits = 0;   ///< returns that were the vehicle's own body and left out; packet runs only
+  std::uint64_t unrecorded = 0;  ///< live: sweeps and poses that the observer was too slow for
+  std::string sensor;            ///< what the stream came from, e.g. "HDL-64E S2/S3, single return"
+  std::vector<std::string> threads;  ///< what each thread asked for and got
+  std::string complaint;             ///< the source's own words if it ended early; what came before was used
+  std::string failure;               ///< why the run could not be completed; empty if it was
   bool interrupted = false;
 
   bool balanced() const noexcept {
@@ -78,6 +78,10 @@ class Pipeline {
                  const std::atomic<bool>& stop);
   /// Replay alone: scans come from files.
   RunSummary run(SweepSource& source, Observer& observer, const std::atomic<bool>& stop);
+
+  /// [any thread] While it runs: odometry begins anew at the next sweep, which defines `odom`. Real-time
+  /// safe.
+  void request_reset() noexcept;
 
  private:
   struct Parts;
