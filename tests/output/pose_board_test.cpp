@@ -7,8 +7,12 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <array>
+#include <cstdio>
+#include <memory>
 #include <numbers>
 #include <string>
+#include <vector>
 
 #include "pago/core/error.hpp"
 #include "pago/core/se3.hpp"
@@ -100,6 +104,26 @@ TEST_CASE("another process reads poses from shared memory, and sees that they ar
   CHECK(seen.sequence == 41);
   CHECK(seen.position_m[0] == 41.0);
   CHECK(pago_read_pose_v1(&reader.board().first, &seen) == 0);
+}
+
+TEST_CASE("the documentation's C program prints each refined pose once", "[output][pose_board]") {
+  auto board = std::make_unique<PoseBoard>(own_name());
+  std::FILE* const reader = popen((POSE_READER " " + own_name()).c_str(), "r");
+  REQUIRE(reader != nullptr);
+  std::vector<std::string> lines;
+  std::array<char, 256> line{};
+  for (std::uint64_t sequence = 10; sequence < 13; ++sequence) {
+    board->publish(pose(PoseKind::kRefined, sequence));
+    board->publish(pose(PoseKind::kFirst, sequence + 1));
+    REQUIRE(std::fgets(line.data(), line.size(), reader) != nullptr);
+    lines.emplace_back(line.data());
+  }
+  board.reset();
+  CHECK(std::fgets(line.data(), line.size(), reader) == nullptr);
+  CHECK(pclose(reader) == 0);
+  for (std::size_t i = 0; i < lines.size(); ++i)
+    CHECK_THAT(lines[i], Catch::StartsWith(std::to_string(10 + i) + " ") &&
+                             Catch::Contains("at 1" + std::to_string(i)));
 }
 
 TEST_CASE("a board has one owner; a dead owner's board is taken over, empty", "[output][pose_board]") {
