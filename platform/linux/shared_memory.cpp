@@ -9,7 +9,7 @@
 #include <unistd.h>
 
 #include <cerrno>
-#include <cstring>
+#include <cstdint>
 #include <system_error>
 
 #include "pago/core/error.hpp"
@@ -24,11 +24,33 @@ constexpr mode_t kReadableByAll = 0644;
   throw Error("shared memory " + name, what + ": " + std::generic_category().message(error));
 }
 
-/// The lock tells whether the owner lives: it goes with the process, however that ends.
-int open_owned(const std::string& name) {
+int open_shared(const std::string& name) {
   const int fd = shm_open(("/" + name).c_str(), O_RDWR | O_CREAT | O_CLOEXEC, kReadableByAll);
   if (fd < 0) fail(name, "cannot be opened", errno);
-  if (flock(fd, LOCK_EX | LOCK_NB) == 0) return fd;
+  return fd;
+}
+
+bool has_content(int fd) {
+  struct stat about {};
+  return fstat(fd, &about) == 0 && about.st_size > 0;
+}
+
+void end_readers(int fd) {
+  constexpr std::uint32_t kOver = 0;
+  if (pwrite(fd, &kOver, sizeof kOver, 0) < 0) return;  // nobody can be told; they see that no news come
+}
+
+/// The lock tells whether the owner lives: it goes with the process, however that ends.
+int open_owned(const std::string& name) {
+  int fd = open_shared(name);
+  const auto is_mine = [&fd] { return flock(fd, LOCK_EX | LOCK_NB) == 0; };
+  if (is_mine() && has_content(fd)) {
+    end_readers(fd);
+    shm_unlink(("/" + name).c_str());
+    close(fd);
+    fd = open_shared(name);
+  }
+  if (is_mine()) return fd;
   close(fd);
   throw Error("shared memory " + name, "another running process publishes there",
               "stop it, or choose another name: publish.shared_memory");
@@ -41,8 +63,7 @@ SharedMemory::SharedMemory(const std::string& name, std::size_t bytes) : name_(n
     throw Error("shared memory " + name, "is no valid name", "letters, digits, - and _, no slash");
   if (!name.empty()) {
     fd_ = open_owned(name);
-    // To nothing and back: what a former owner left is gone.
-    if (ftruncate(fd_, 0) != 0 || ftruncate(fd_, static_cast<off_t>(bytes)) != 0) {
+    if (ftruncate(fd_, static_cast<off_t>(bytes)) != 0) {
       const int error = errno;
       close(fd_);
       fail(name, "cannot be made large enough", error);

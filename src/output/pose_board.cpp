@@ -34,7 +34,11 @@ struct PoseBoard::State {
     // Release: a reader who finds the magic finds the rest.
     board->magic.store(PAGO_POSE_V1, std::memory_order_release);
   }
-  ~State() { board->magic.store(0, std::memory_order_release); }
+  ~State() {
+    board->magic.store(0, std::memory_order_release);
+    board->news.fetch_add(1, std::memory_order_release);
+    platform::wake_sharers(board->news);
+  }
 
   Seqlock<PoseV1>& slot(PoseKind kind) const noexcept {
     return kind == PoseKind::kFirst ? board->first : board->refined;

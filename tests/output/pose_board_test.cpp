@@ -136,12 +136,16 @@ TEST_CASE("a board has one owner; a dead owner's board is taken over, empty", "[
   int status = 0;
   waitpid(child, &status, 0);
   const std::string name = "pago_test_" + std::to_string(child) + "_dead";
-  REQUIRE(Reader(name).is_open());
+  const Reader old_reader(name);
+  REQUIRE(old_reader.is_open());
+  CHECK(old_reader.board().magic == PAGO_POSE_V1);
   {
     const PoseBoard board(name);
     PoseV1 seen{};
     CHECK_FALSE(board.newest(PoseKind::kFirst, seen));
     CHECK_THROWS_WITH(PoseBoard(name), Catch::Contains("another running process publishes there"));
+    CHECK(old_reader.board().magic == 0);
+    CHECK(Reader(name).board().magic == PAGO_POSE_V1);
   }
   CHECK_FALSE(Reader(name).is_open());
   CHECK_THROWS_AS(PoseBoard("a/b"), Error);

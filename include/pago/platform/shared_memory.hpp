@@ -9,7 +9,8 @@ namespace pago::platform {
 
 /// Memory that other processes can map by name (shm_overview(7)), or that is this process's own. Zero-filled,
 /// page-aligned, touched. One process at a time owns a name; who dies without tidying up loses it to the
-/// next.
+/// next. What the dead one left is not used again, as somebody may still read it: its first 32-bit word
+/// becomes 0, which tells readers to look for the new one, and a new object takes its place.
 class SharedMemory {
  public:
   /// [set-up] Makes /dev/shm/NAME, readable by everybody; an empty name makes private memory. Throws Error if
