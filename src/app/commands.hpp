@@ -20,5 +20,6 @@ void add_evaluate_command(CLI::App& program, Action& action);
 void add_config_command(CLI::App& program, Action& action);
 void add_play_command(CLI::App& program, Action& action);
 void add_ctl_command(CLI::App& program, Action& action);
+void add_doctor_command(CLI::App& program, Action& action);
 
 }  // namespace pago::app

@@ -14,6 +14,7 @@
 #include "pago/output/run_recorder.hpp"
 #include "pago/pipeline/paced_source.hpp"
 #include "pago/pipeline/pipeline.hpp"
+#include "pago/platform/memory.hpp"
 #include "progress_line.hpp"
 #include "recording.hpp"
 #include "settings.hpp"
@@ -57,6 +58,9 @@ double seconds_since(std::chrono::steady_clock::time_point start) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
+/// For what is not real-time while it runs: files, messages, requests.
+constexpr std::size_t kHeapReserve_bytes = 16U << 20U;
+
 /// What a run needs, all of it open and made, so that nothing is refused after work has begun.
 struct Prepared {
   OpenSource source;
@@ -75,8 +79,16 @@ Prepared prepare(const RunOptions& options, Config& config) {
     throw Error(options.source, "holds scans, which cannot be replayed in real time",
                 "--realtime is for captures of packets");
   run.is_live = packets != nullptr && (packets->is_live || options.is_realtime);
+  if (run.is_live) {
+    platform::keep_heap(kHeapReserve_bytes);
+    platform::make_timers_exact();
+  }
   run.pipeline = std::make_unique<Pipeline>(config, run.is_live ? Pace::kLive : Pace::kReplay);
-  if (run.is_live) run.outlets = open_outlets(config);
+  if (run.is_live) {
+    run.outlets = open_outlets(config);
+    if (const std::string refusal = platform::lock_memory(); !refusal.empty())
+      run.packets()->warnings.push_back(refusal);
+  }
   return run;
 }
 
