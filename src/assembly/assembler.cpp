@@ -219,7 +219,9 @@ void Assembler::close_at_cut(int lost_before_cut) noexcept {
   ++counters_.no_free_sweep;
   counters_.is_open = 0;
   spare_ = open_;
+  const std::uint64_t request = spare_->header.request;
   spare_->reset();
+  spare_->header.request = request;  // it is still the one that was asked for then
 }
 
 void Assembler::close_within_rotation(std::uint32_t flags) noexcept {
