@@ -11,6 +11,7 @@
 #include "pago/config/odometry.hpp"
 #include "pago/config/output.hpp"
 #include "pago/config/pipeline.hpp"
+#include "pago/config/simulator.hpp"
 
 namespace pago {
 
@@ -27,6 +28,7 @@ struct Config {
   OdometryConfig odometry;
   PipelineConfig pipeline;
   OutputConfig output;
+  SimulatorConfig simulator;
 };
 
 template <typename Visitor>
@@ -41,6 +43,7 @@ void describe(Visitor& v, Config& c) {
   v.section("odometry", c.odometry, "the motion from one sweep to the next");
   v.section("pipeline", c.pipeline, "threads");
   v.section("output", c.output, "what a run leaves behind");
+  v.section("simulator", c.simulator, "made-up drives: sim:WORLD as the source");
 }
 
 }  // namespace pago
