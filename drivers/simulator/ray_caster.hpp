@@ -16,7 +16,7 @@ namespace pago::simulator {
 
 /// The first thing that a ray meets.
 struct Hit {
-  float range_m = 0.0F;                               ///< infinite: nothing
+  float range_m = std::numeric_limits<float>::infinity();  ///< infinite: nothing
   Eigen::Vector3f normal = Eigen::Vector3f::UnitZ();  ///< of the triangle, in the world's axes; any length
   Surface surface;
 

@@ -36,6 +36,21 @@ SensorSetup sensor_setup(const SimulatorConfig& config, const hdl64::Calibration
           .seed = seed};
 }
 
+/// As many rotations as are asked for, or as the drive is long.
+std::uint64_t whole_sweeps(const SimulatorConfig& config, const Sensor& sensor, double drive_s) {
+  auto count = static_cast<std::uint64_t>(std::max(1LL, std::llround(config.seconds * config.rotation_hz)));
+  const auto end_s = [&] { return sensor.head().time_at_s(Head::kStart_rev + static_cast<double>(count)); };
+  while (count > 1 && end_s() > drive_s) --count;
+  return count;
+}
+
+/// Enough to complete the last rotation.
+std::uint64_t packets_of(const Sensor& sensor, std::uint64_t num_sweeps) {
+  const double end_s = sensor.head().time_at_s(Head::kStart_rev + static_cast<double>(num_sweeps));
+  return static_cast<std::uint64_t>(end_s * 1e9 / static_cast<double>(sensor.timing().packet_period_ns())) +
+         1;
+}
+
 }  // namespace
 
 struct Simulator::State {
@@ -44,8 +59,8 @@ struct Simulator::State {
         surroundings(lay_out(config)),
         scene([this](const Tile& tile) { return surroundings.world->tile(tile); }),
         sensor(sensor_setup(config, file, mount), *surroundings.T_world_base),
-        duration_ns(std::llround(std::min(config.seconds, surroundings.T_world_base->duration_s()) * 1e9)),
-        num_packets(static_cast<std::uint64_t>(duration_ns / sensor.timing().packet_period_ns())),
+        num_sweeps(whole_sweeps(config, sensor, surroundings.T_world_base->duration_s())),
+        num_packets(packets_of(sensor, num_sweeps)),
         stream(
             sensor,
             scene,
@@ -59,8 +74,7 @@ struct Simulator::State {
   Surroundings surroundings;
   RayCaster scene;
   Sensor sensor;
-  std::int64_t duration_ns;
-  std::uint64_t num_packets;
+  std::uint64_t num_sweeps, num_packets;
   PacketStream stream;
 };
 
@@ -80,14 +94,16 @@ std::int64_t Simulator::start_ns() const noexcept {
   return kStart_ns;
 }
 std::int64_t Simulator::duration_ns() const noexcept {
-  return state_->duration_ns;
+  return static_cast<std::int64_t>(state_->num_packets) * state_->sensor.timing().packet_period_ns();
 }
 std::uint64_t Simulator::num_packets() const noexcept {
   return state_->num_packets;
 }
 std::uint64_t Simulator::num_sweeps() const noexcept {
-  const auto sent_ns = static_cast<std::int64_t>(num_packets()) * state_->sensor.timing().packet_period_ns();
-  return static_cast<std::uint64_t>(revolutions(kStart_ns + sent_ns) - Head::kStart_rev);
+  return state_->num_sweeps;
+}
+std::uint64_t Simulator::sweeps_until(std::int64_t time_ns) const noexcept {
+  return std::min(state_->num_sweeps, static_cast<std::uint64_t>(revolutions(time_ns) - Head::kStart_rev));
 }
 SweepTimes Simulator::sweep(std::uint64_t index) const noexcept {
   const auto at = [&](double turn) {

@@ -35,7 +35,8 @@ Surroundings lay_out_city(const SimulatorConfig& config) {
   const std::vector<Eigen::Isometry3d> poses = drive_over(ground, city.way, distances, interval_s);
 
   Surroundings result;
-  const auto count = static_cast<std::size_t>(std::ceil(config.seconds / kInterval_s)) + 1;
+  // A little more, since the last rotation may end late.
+  const auto count = static_cast<std::size_t>(std::ceil((config.seconds + 0.5) / kInterval_s)) + 1;
   result.T_world_base =
       std::make_unique<Trajectory>(std::span(poses).first(std::min(count, poses.size())), kInterval_s);
   result.world = std::make_unique<World>(std::move(ground), free_way(city.way), TownStyle{}, seed);

@@ -1,9 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The PaGO authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include <CLI/CLI.hpp>
-#include <atomic>
 #include <chrono>
-#include <csignal>
 #include <iostream>
 #include <memory>
 
@@ -15,6 +13,7 @@
 #include "progress_line.hpp"
 #include "settings.hpp"
 #include "source.hpp"
+#include "stop_signal.hpp"
 
 namespace pago::app {
 
@@ -24,18 +23,6 @@ struct RunOptions {
   std::string source, output, calibration, ground;
   SettingsOptions settings;
 };
-
-std::atomic<bool> stop_requested{false};
-
-/// The first signal ends the run and flushes every output; a second one kills, as nothing may hang for ever.
-void stop_on_signals() {
-  const auto handler = [](int signal) {
-    stop_requested.store(true, std::memory_order_relaxed);
-    std::signal(signal, SIG_DFL);
-  };
-  std::signal(SIGINT, handler);
-  std::signal(SIGTERM, handler);
-}
 
 class Recorder final : public Observer {
  public:

@@ -52,8 +52,9 @@ class Simulator {
   std::int64_t start_ns() const noexcept;
   std::int64_t duration_ns() const noexcept;
   std::uint64_t num_packets() const noexcept;
-  /// Whole rotations.
+  /// Whole rotations of the drive, and those that are over at an instant.
   std::uint64_t num_sweeps() const noexcept;
+  std::uint64_t sweeps_until(std::int64_t time_ns) const noexcept;
   SweepTimes sweep(std::uint64_t index) const noexcept;
   /// The truth, exact at any sensor time within the drive.
   Eigen::Isometry3d T_world_sensor(std::int64_t time_ns) const noexcept;
