@@ -15,9 +15,6 @@ namespace {
 constexpr double kThreshold = 2.2e-6;
 /// A pulse of some 5 ns: echoes that are closer together are one.
 constexpr double kPulse_m = 0.7;
-/// Beams that find nothing of interest in good weather: interference, dirt, timing.
-constexpr double kAlwaysLost = 0.006;
-
 double brightness(const Echo& echo, const ReturnModel& model) noexcept {
   const Optics& material = optics(echo.surface.material);
   // What mirrors, returns light only when hit square on.
@@ -31,13 +28,16 @@ double strength(const Echo& echo, const ReturnModel& model) noexcept {
   return brightness(echo, model) * echo.cos_incidence / (echo.range_m * echo.range_m);
 }
 
-bool is_detected(double strength, Random& random) noexcept {
+bool is_detected(double strength, double always_lost, Random& random) noexcept {
   const double ratio = strength / kThreshold;
   const double chance = ratio * std::sqrt(ratio) / (1.0 + ratio * std::sqrt(ratio));
-  return random.unit() < chance * (1.0 - kAlwaysLost);
+  return random.unit() < chance * (1.0 - always_lost);
 }
 
-Return measured(const Echo& echo, const ReturnModel& model, double laser_gain, Random& random) noexcept {
+Return measured(const Echo& echo,
+                const ReturnModel& model,
+                const LaserOptics& laser,
+                Random& random) noexcept {
   const double inverse_cos = 1.0 / std::max(0.08, echo.cos_incidence);
   const double noise_m = model.range_noise_m * (0.8 + 0.2 * inverse_cos) * random.normal();
   // Blades of grass stop a beam before it comes to the soil.
@@ -46,11 +46,11 @@ Return measured(const Echo& echo, const ReturnModel& model, double laser_gain, R
   const double early_m =
       pile_m > 0.0 ? std::min(kMostlyStopped_m, -pile_m * std::log(1.0 - random.unit()) * inverse_cos) : 0.0;
   Return result{.range_m = echo.range_m - early_m + noise_m, .label = echo.surface.label};
-  // The unit levels intensities by distance, imperfectly.
-  const double level = 330.0 * brightness(echo, model) * std::pow(echo.cos_incidence, 0.4) *
-                       std::exp(-echo.range_m / 180.0) * laser_gain;
+  // The unit levels intensities by distance, up to about 25 m (drive_0005 of KITTI).
+  const double level = 480.0 * brightness(echo, model) * std::pow(echo.cos_incidence, 0.4) *
+                       std::exp(-std::pow(echo.range_m / 50.0, 1.7)) * laser.gain;
   result.intensity = std::clamp(level * (1.0 + 0.08 * random.normal()) + 2.0 * random.normal(), 0.0, 255.0);
-  result.is_there = is_detected(strength(echo, model), random);
+  result.is_there = is_detected(strength(echo, model), laser.always_lost, random);
   return result;
 }
 
@@ -74,16 +74,15 @@ Echo merged(const Echo& a, const Echo& b, double weight_a, double weight_b) noex
 Returns returns_of(const ReturnModel& model,
                    const std::array<Echo, 2>& echoes,
                    std::size_t num_echoes,
-                   double laser_gain,
+                   const LaserOptics& laser,
                    Random& random) noexcept {
   if (model.outliers > 0.0 && random.chance(model.outliers)) return {drop_of_rain(random), {}};
   if (num_echoes == 0) return {};
-  if (num_echoes == 1) return {measured(echoes[0], model, laser_gain, random), {}};
+  if (num_echoes == 1) return {measured(echoes[0], model, laser, random), {}};
   const double first = strength(echoes[0], model), second = strength(echoes[1], model);
   if (std::abs(echoes[0].range_m - echoes[1].range_m) < kPulse_m)
-    return {measured(merged(echoes[0], echoes[1], first, second), model, laser_gain, random), {}};
-  Returns both{measured(echoes[0], model, laser_gain, random),
-               measured(echoes[1], model, laser_gain, random)};
+    return {measured(merged(echoes[0], echoes[1], first, second), model, laser, random), {}};
+  Returns both{measured(echoes[0], model, laser, random), measured(echoes[1], model, laser, random)};
   const bool is_second_stronger = second > first;
   if (is_second_stronger) std::swap(both[0], both[1]);
   if (!both[0].is_there) both[0] = std::exchange(both[1], Return{});

@@ -34,13 +34,19 @@ struct ReturnModel {
   double wetness = 0.0;
 };
 
+/// How a laser and its receiver differ from their neighbours.
+struct LaserOptics {
+  double gain = 1.0;
+  double always_lost = 0.0;  ///< part of the returns, whatever they come from
+};
+
 /// From what lies in one beam (one echo, or two where an edge cuts it) to its returns. Light that comes back
 /// weaker than the receiver's threshold is lost, the more surely the weaker it is: grazing, dark, wet and far
 /// surfaces drop out. Two echoes closer together than a light pulse is long merge to one between them.
 Returns returns_of(const ReturnModel& model,
                    const std::array<Echo, 2>& echoes,
                    std::size_t num_echoes,
-                   double laser_gain,
+                   const LaserOptics& laser,
                    Random& random) noexcept;
 
 }  // namespace pago::simulator

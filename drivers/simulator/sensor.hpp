@@ -35,6 +35,7 @@ struct SensorSetup {
   Eigen::Isometry3d T_base_sensor = Eigen::Isometry3d::Identity();
   std::uint64_t seed = 0;
   bool has_wide_beams = true;  ///< false: each is a line, and no edge cuts it
+  bool has_dropouts = true;    ///< false: none but those that are too weak
 };
 
 /// Fires the lasers: each from where the sensor is at its own firing time, at its own azimuth.
@@ -93,7 +94,7 @@ class Sensor {
   const Trajectory& trajectory_;
   Head head_;
   std::array<LaserLine, hdl64::kLasers> lines_;
-  std::array<double, hdl64::kLasers> gains_{};
+  std::array<LaserOptics, hdl64::kLasers> optics_{};
   std::array<double, hdl64::kLasers> cos_delta_{}, sin_delta_{};
   std::vector<Stand> stands_;
 };

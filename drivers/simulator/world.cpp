@@ -76,6 +76,7 @@ void World::add_plots(std::span<const StreetPoint> street, double side) {
     const bool has_house = random.chance(style_.house);
     const double setback_m =
         random.chance(style_.set_back) ? random.between(2.5, 6.0) : random.between(0.0, 0.5);
+    const double gap_m = random.chance(style_.gap) ? random.between(1.0, 6.0) : 0.02;
     const std::uint64_t key = random.bits();
     const Vector2d outward = side * point.left();
     const double line_m = point.half_width_m + ground_.style().sidewalk_m;
@@ -89,19 +90,12 @@ void World::add_plots(std::span<const StreetPoint> street, double side) {
       }
       return true;
     };
-    const Item item{.at = point.at + (line_m + setback_m) * outward,
-                    .along = point.along,
-                    .side = side,
-                    .width_m = width_m - 0.02,
-                    .key = key};
-    if (has_house && fits(setback_m, 9.0)) {
-      put(item);
-      if (setback_m < 2.0) continue;
-    }
-    Item front = item;
-    front.kind = Item::Kind::kFront;
-    front.at = point.at + (line_m + 0.3) * outward;
-    if (fits(0.3, 1.0)) put(front);
+    const bool stands_back = has_house && setback_m > 2.0;
+    const auto plot = [&](Item::Kind kind, double front_m, double plot_width_m) {
+      return Item{kind, point.at + (line_m + front_m) * outward, point.along, side, plot_width_m, key};
+    };
+    if (has_house && fits(setback_m, 9.0)) put(plot(Item::Kind::kHouse, setback_m, width_m - gap_m));
+    if ((!has_house || stands_back) && fits(0.3, 1.0)) put(plot(Item::Kind::kFront, 0.3, width_m));
   }
 }
 

@@ -27,12 +27,13 @@ struct Tile {
 
 /// How a world's streets are lined. Chances are per slot of the thing in question.
 struct TownStyle {
-  double house = 0.75;     ///< of plots that have one at the front
-  double set_back = 0.35;  ///< of houses that stand behind a front garden
+  double house = 0.7;     ///< of plots that have one
+  double gap = 0.5;       ///< of houses with a gap beside them
+  double set_back = 0.45;  ///< of houses that stand behind a front garden
   int low_storeys = 2, high_storeys = 5;
   double tree_lined = 0.5;    ///< of street sides
   double parked = 0.5;        ///< of kerb slots on the average street; each street has its own
-  double garden_tree = 0.12;  ///< per 7 m square off the streets
+  double garden_tree = 0.16;  ///< per 7 m square off the streets
 };
 
 /// A thing that stands somewhere; its mesh is made when its tile is.
