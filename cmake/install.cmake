@@ -10,6 +10,7 @@ set(packages
   Threads::Threads "Threads"
   Ceres::ceres "Ceres"
   embree "embree 3"
+  PNG::PNG "PNG"
   spdlog::spdlog "spdlog"
   pugixml::pugixml "pugixml"
   yaml-cpp "yaml-cpp"

@@ -11,6 +11,8 @@
 #include "pago/simulator/packet_labels.hpp"
 #include "pago/simulator/simulator.hpp"
 #include "pago/simulator/unit.hpp"
+#include "pictures.hpp"
+#include "scan_collector.hpp"
 #include "timing.hpp"
 #include "truth_files.hpp"
 
@@ -27,18 +29,24 @@ void check(const std::string& complaint) {
 /// The drive's outputs that are written packet by packet.
 class Outputs {
  public:
-  Outputs(const Simulator& drive, const Config& config, const DriveFiles& files) {
+  Outputs(const Simulator& drive, const Config& config, const DriveFiles& files)
+      : drive_(drive), picture_scan_(drive.num_sweeps() / 2), pictures_(files.pictures) {
     if (!files.pcap.empty()) pcap_ = std::make_unique<PcapWriter>(files.pcap);
     if (!files.labels.empty())
       labels_ = std::make_unique<LabelWriter>(files.labels, kSingleReturn.period_ns, kSingleReturn.firings);
-    if (!files.kitti.empty())
-      kitti_ = std::make_unique<KittiFolderWriter>(drive, config.hdl64, files.kitti, files.kitti_compensated);
+    if (!files.kitti.empty()) kitti_ = std::make_unique<KittiFolder>(files.kitti);
+    if (files.kitti.empty() && files.pictures.empty()) return;
+    scans_ = std::make_unique<ScanCollector>(
+        drive, config.hdl64, files.kitti_compensated,
+        [this](std::uint64_t scan, const LabelledRings& rings) { use(scan, rings); });
   }
+  Outputs(const Outputs&) = delete;
+  Outputs& operator=(const Outputs&) = delete;
 
   void add(const SimulatedPacket& packet) {
     if (pcap_) pcap_->write(packet.bytes, packet.arrival_ns);
     if (labels_) labels_->write(packet);
-    if (kitti_) kitti_->add(packet);
+    if (scans_) scans_->add(packet);
   }
 
   void check_files() const {
@@ -50,13 +58,23 @@ class Outputs {
     if (pcap_) pcap_->flush();
     if (labels_) labels_->flush();
     check_files();
-    if (kitti_) kitti_->finish(num_sweeps);
+    if (scans_) scans_->finish(num_sweeps);
+    if (kitti_) kitti_->finish(drive_, num_sweeps);
   }
 
  private:
+  void use(std::uint64_t scan, const LabelledRings& rings) const {
+    if (kitti_) kitti_->write_scan(scan, rings);
+    if (!pictures_.empty() && scan == picture_scan_) draw_scan(rings, pictures_);
+  }
+
+  const Simulator& drive_;
+  std::uint64_t picture_scan_;
+  std::filesystem::path pictures_;
   std::unique_ptr<PcapWriter> pcap_;
   std::unique_ptr<LabelWriter> labels_;
-  std::unique_ptr<KittiFolderWriter> kitti_;
+  std::unique_ptr<KittiFolder> kitti_;
+  std::unique_ptr<ScanCollector> scans_;
 };
 
 }  // namespace

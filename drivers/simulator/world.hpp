@@ -27,8 +27,8 @@ struct Tile {
 
 /// How a world's streets are lined. Chances are per slot of the thing in question.
 struct TownStyle {
-  double house = 0.7;     ///< of plots that have one
-  double gap = 0.5;       ///< of houses with a gap beside them
+  double house = 0.7;      ///< of plots that have one
+  double gap = 0.5;        ///< of houses with a gap beside them
   double set_back = 0.45;  ///< of houses that stand behind a front garden
   int low_storeys = 2, high_storeys = 5;
   double tree_lined = 0.5;    ///< of street sides

@@ -27,7 +27,7 @@ struct SimulateOptions {
 
   bool writes_files() const {
     return !(files.pcap.empty() && files.labels.empty() && files.calibration.empty() && files.truth.empty() &&
-             files.kitti.empty());
+             files.kitti.empty() && files.pictures.empty());
   }
 };
 
@@ -97,6 +97,8 @@ void add_simulate_command(CLI::App& program, Action& action) {
   add_file("--truth", options->files.truth,
            "TUM poses at 200 Hz; beside it, per sweep, its start, mid and end");
   command.add_option("--kitti", options->files.kitti, "folder of scans with SemanticKITTI labels")
+      ->type_name("DIR");
+  command.add_option("--pictures", options->files.pictures, "folder: the middle scan as PNG")
       ->type_name("DIR");
   command.add_flag("--compensated", options->files.kitti_compensated,
                    "scans of --kitti in the frame of their middle instead of raw");

@@ -23,6 +23,8 @@ struct DriveFiles {
   /// A folder as of KITTI's odometry benchmark with SemanticKITTI's labels: velodyne/, labels/, times.txt,
   /// poses.txt (of the camera, mid-sweep), calib.txt.
   std::filesystem::path kitti;
+  std::filesystem::path
+      pictures;  ///< a folder: the drive's middle scan as PNG, from above and as the sensor sees it
   bool kitti_compensated = false;  ///< scans in the frame of their middle, as the benchmark's are; else raw
 };
 
