@@ -74,7 +74,8 @@ LabelTrack::LabelTrack(const std::filesystem::path& file) {
   const std::uintmax_t rest = std::filesystem::file_size(file) - sizeof header - sizeof classes;
   packets_.resize(rest / sizeof(PacketLabels));
   size_ = packets_.size();
-  in.read(reinterpret_cast<char*>(packets_.data()), static_cast<std::streamsize>(rest));
+  in.read(reinterpret_cast<char*>(packets_.data()),
+          static_cast<std::streamsize>(size_ * sizeof(PacketLabels)));
   if (!in || rest % sizeof(PacketLabels) != 0)
     throw Error(file.string(), "ends inside a packet's labels", "render the drive again");
 }
@@ -107,17 +108,21 @@ const PacketLabels* LabelTrack::find(std::int64_t time_ns) const noexcept {
   return &at(low - 1);
 }
 
+// A replay's clock may be off by whole hours, which device stamps do not tell.
+std::int64_t LabelTrack::hours_off_ns(std::int64_t start_ns) const noexcept {
+  if (size_ == 0) return 0;
+  const std::int64_t first_ns = at(0).time_ns, last_ns = at(size_ - 1).time_ns;
+  if (start_ns >= first_ns && start_ns <= last_ns) return 0;
+  const std::int64_t off_ns = first_ns / 2 + last_ns / 2 - start_ns;
+  const std::int64_t half_ns = off_ns < 0 ? -kHour_ns / 2 : kHour_ns / 2;
+  return (off_ns + half_ns) / kHour_ns * kHour_ns;
+}
+
 std::uint32_t LabelTrack::label(Sweep& sweep, const hdl64::Calibration& unit) const noexcept {
   std::array<int, kNumRings> laser_of_ring{};
   for (int laser = 0; laser < kNumRings; ++laser)
     laser_of_ring[unit.ring_of_laser[static_cast<std::size_t>(laser)]] = laser;
-  // The hour that puts the sweep into the track.
-  std::int64_t shift_ns = kStampStep_ns;
-  if (size_ > 0 && find(sweep.header.start_ns + shift_ns) == nullptr) {
-    const std::int64_t after_ns = sweep.header.start_ns + kStampStep_ns - at(0).time_ns;
-    const std::int64_t within_ns = (after_ns % kHour_ns + kHour_ns) % kHour_ns;
-    shift_ns = at(0).time_ns + within_ns - sweep.header.start_ns;
-  }
+  const std::int64_t shift_ns = kStampStep_ns + hours_off_ns(sweep.header.start_ns);
   const FiringTiming timing = firings_ == kDualReturn.firings ? kDualReturn : kSingleReturn;
   std::uint32_t known = 0;
   const PacketLabels* packet = nullptr;

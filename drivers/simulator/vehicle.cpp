@@ -103,7 +103,9 @@ std::vector<double> distances_driven(
     }
     const double at = s / kGrid_m;
     const auto i = std::min(static_cast<std::size_t>(at), limit.size() - 2);
-    const double speed = limit[i] + (at - static_cast<double>(i)) * (limit[i + 1] - limit[i]);
+    // Steady acceleration from grid point to grid point: the square of the speed is linear in the distance.
+    const double share = at - static_cast<double>(i);
+    const double speed = std::sqrt(limit[i] * limit[i] * (1.0 - share) + limit[i + 1] * limit[i + 1] * share);
     s += interval_s * std::max(kCreep_m_s, speed);
     if (next_stop < stops_m.size() && s >= stops_m[next_stop]) {
       waits_s = pace.stop_s;

@@ -77,6 +77,7 @@ TEST_CASE("neighbouring tiles meet without a gap", "[simulator][ground]") {
   const Ground ground = city_ground();
   const auto rim = [&](const Vector2d& corner, float x) {
     Mesh mesh;
+    mesh.origin << corner, 0.0;
     add_ground(mesh, ground, corner, 64);
     std::vector<std::pair<float, float>> points;
     for (const Eigen::Vector3f& p : mesh.vertices)

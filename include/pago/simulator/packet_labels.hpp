@@ -48,9 +48,9 @@ class LabelTrack {
   std::size_t size() const noexcept { return size_; }
 
  private:
-  friend class LabelWriter;
   const PacketLabels* find(std::int64_t time_ns) const noexcept;
   const PacketLabels& at(std::size_t age) const noexcept;
+  std::int64_t hours_off_ns(std::int64_t start_ns) const noexcept;
 
   std::vector<PacketLabels> packets_;  // a ring
   std::size_t oldest_ = 0, size_ = 0;
