@@ -83,10 +83,10 @@ double Ground::speed_bump_m(const StreetPlace& street) const noexcept {
 
 double Ground::road_height_m(const Spot& spot) const noexcept {
   const Eigen::Vector2d& at = spot.at;
-  return spot.base_m +
-         style_.road_roughness_m * (noise(hash(seed_, kRoad), at.x(), at.y(), 1.5) +
-                                    2.0 * noise(hash(seed_, kRoad, 1), at.x(), at.y(), 12.0)) +
-         speed_bump_m(spot.street);
+  const double waves = noise(hash(seed_, kRoad), at.x(), at.y(), 1.5) +
+                       2.0 * noise(hash(seed_, kRoad, 1), at.x(), at.y(), 5.0) +
+                       4.0 * noise(hash(seed_, kRoad, 2), at.x(), at.y(), 17.0);
+  return spot.base_m + style_.road_roughness_m * waves + speed_bump_m(spot.street);
 }
 
 double Ground::land_height_m(const Spot& spot) const noexcept {

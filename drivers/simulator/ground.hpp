@@ -14,7 +14,7 @@ namespace pago::simulator {
 struct GroundStyle {
   double kerb_low_m = 0.10, kerb_high_m = 0.15;
   double sidewalk_m = 2.3;
-  double road_roughness_m = 0.004;  ///< amplitude, over 1.5 m
+  double road_roughness_m = 0.005;  ///< amplitude over 1.5 m; longer waves are higher
   double yard_bump_m = 0.03;        ///< amplitude of the bumps beyond the sidewalk, over 2 m
   double relief_m = 1.5;            ///< amplitude of the land's own hills, away from streets, over 60 m
   double speed_bumps = 0.0;         ///< per 80 m of street

@@ -32,7 +32,7 @@ Surroundings lay_out_city(const SimulatorConfig& config) {
   Ground ground(StreetMap(std::move(city.streets)), land, seed);
   std::vector<double> distances =
       distances_driven(city.way, city.stops_m, pace, interval_s, seconds + kAfter_s * config.speed);
-  const std::vector<Eigen::Isometry3d> poses = drive_over(ground, city.way, distances, interval_s);
+  const std::vector<Eigen::Isometry3d> poses = drive_over(ground, city.way, distances, kInterval_s, seed);
 
   Surroundings result;
   // A little more, since the last rotation may end late.

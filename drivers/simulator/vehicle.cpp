@@ -14,6 +14,8 @@ namespace {
 
 using Eigen::Vector2d;
 
+enum Purpose : std::uint64_t { kWander = 900 };
+
 constexpr double kGrid_m = 0.5;
 constexpr double kHalfWheelbase_m = 1.35, kHalfTrack_m = 0.78;
 constexpr double kDegree = std::numbers::pi / 180.0;
@@ -68,6 +70,12 @@ std::vector<double> speed_limits(const Way& way, std::span<const double> stops_m
   return limit;
 }
 
+/// Nobody steers along a line: how far to the left of it the vehicle is.
+double wander_m(std::uint64_t seed, double s_m) {
+  return 0.12 * noise(hash(seed, kWander), s_m, 0.0, 25.0) +
+         0.03 * noise(hash(seed, kWander, 1), s_m, 0.0, 7.0);
+}
+
 /// Turn rate, from the change of heading; and the rate of the speed.
 struct Dynamics {
   double along_m_s2 = 0.0, left_m_s2 = 0.0;
@@ -118,13 +126,15 @@ std::vector<double> distances_driven(
 std::vector<Eigen::Isometry3d> drive_over(const Ground& ground,
                                           const Way& way,
                                           std::span<const double> distances_m,
-                                          double interval_s) {
+                                          double interval_s,
+                                          std::uint64_t seed) {
   std::vector<Eigen::Isometry3d> poses;
   poses.reserve(distances_m.size());
   std::vector<Spring> springs;  // height, pitch, roll
   for (std::size_t i = 0; i < distances_m.size(); ++i) {
-    const Vector2d rear = way.at(distances_m[i] - kHalfWheelbase_m);
-    const Vector2d front = way.at(distances_m[i] + kHalfWheelbase_m);
+    const auto axle_at = [&](double s_m) { return way.beside(s_m, wander_m(seed, s_m)); };
+    const Vector2d rear = axle_at(distances_m[i] - kHalfWheelbase_m);
+    const Vector2d front = axle_at(distances_m[i] + kHalfWheelbase_m);
     const Vector2d ahead = (front - rear).normalized(), left(-ahead.y(), ahead.x());
     const auto wheel = [&](const Vector2d& axle, double side) {
       return ground.road_height_m(ground.spot(axle + side * kHalfTrack_m * left));

@@ -29,6 +29,7 @@ std::vector<double> distances_driven(
 std::vector<Eigen::Isometry3d> drive_over(const Ground& ground,
                                           const Way& way,
                                           std::span<const double> distances_m,
-                                          double interval_s);
+                                          double interval_s,
+                                          std::uint64_t seed);
 
 }  // namespace pago::simulator

@@ -111,6 +111,10 @@ void World::build(Mesh& mesh, const Item& item) const {
 void World::build_house(Mesh& mesh, const Item& item) const {
   Random random(item.key);
   Plot plot = plot_of(item);
+  // Built by eye.
+  const Eigen::Rotation2Dd askew(random.between(-0.03, 0.03));
+  plot.along = askew * plot.along;
+  plot.inward = askew * plot.inward;
   plot.low_m = lowest(ground_, plot, plot.depth_m);
   add_house(mesh, plot, style_.low_storeys + random.below(style_.high_storeys - style_.low_storeys + 1),
             random);
