@@ -81,12 +81,15 @@ double Ground::speed_bump_m(const StreetPlace& street) const noexcept {
   return kHeight_m * (1.0 - blend(0.4 * kHalf_m, kHalf_m, std::abs(s - middle)));
 }
 
+// Long waves run under road and land alike.
+double Ground::waves_m(const Eigen::Vector2d& at) const noexcept {
+  return style_.road_roughness_m * (2.0 * noise(hash(seed_, kRoad, 1), at.x(), at.y(), 5.0) +
+                                    4.0 * noise(hash(seed_, kRoad, 2), at.x(), at.y(), 17.0));
+}
+
 double Ground::road_height_m(const Spot& spot) const noexcept {
-  const Eigen::Vector2d& at = spot.at;
-  const double waves = noise(hash(seed_, kRoad), at.x(), at.y(), 1.5) +
-                       2.0 * noise(hash(seed_, kRoad, 1), at.x(), at.y(), 5.0) +
-                       4.0 * noise(hash(seed_, kRoad, 2), at.x(), at.y(), 17.0);
-  return spot.base_m + style_.road_roughness_m * waves + speed_bump_m(spot.street);
+  const double rough_m = style_.road_roughness_m * noise(hash(seed_, kRoad), spot.at.x(), spot.at.y(), 1.5);
+  return spot.base_m + waves_m(spot.at) + rough_m + speed_bump_m(spot.street);
 }
 
 double Ground::land_height_m(const Spot& spot) const noexcept {
@@ -100,7 +103,7 @@ double Ground::land_height_m(const Spot& spot) const noexcept {
   const double bumps_m = style_.yard_bump_m * (noise(hash(seed_, kYard), at.x(), at.y(), 2.0) +
                                                2.0 * noise(hash(seed_, kYard, 1), at.x(), at.y(), 7.0));
   const double wildness = blend(style_.sidewalk_m, style_.sidewalk_m + 2.0, spot.street.edge_m);
-  return spot.base_m + kerb_m + wildness * bumps_m;
+  return spot.base_m + waves_m(at) + kerb_m + wildness * bumps_m;
 }
 
 Surface Ground::surface(const Spot& spot) const noexcept {

@@ -52,6 +52,7 @@ class Ground {
 
  private:
   double far_height_m(const Eigen::Vector2d& at) const noexcept;
+  double waves_m(const Eigen::Vector2d& at) const noexcept;
   double speed_bump_m(const StreetPlace& street) const noexcept;
 
   StreetMap streets_;
