@@ -47,8 +47,9 @@ Return measured(const Echo& echo,
       pile_m > 0.0 ? std::min(kMostlyStopped_m, -pile_m * std::log(1.0 - random.unit()) * inverse_cos) : 0.0;
   Return result{.range_m = echo.range_m - early_m + noise_m, .label = echo.surface.label};
   // The unit levels intensities by distance, up to about 25 m (drive_0005 of KITTI).
-  const double level = 190.0 * std::sqrt(brightness(echo, model)) * std::pow(echo.cos_incidence, 0.4) *
-                       std::exp(-std::pow(echo.range_m / 50.0, 1.7)) * laser.gain;
+  const double far = echo.range_m / 60.0, dimmed = 1.0 + far * far;
+  const double level =
+      190.0 * std::sqrt(brightness(echo, model) * echo.cos_incidence) / (dimmed * dimmed) * laser.gain;
   result.intensity = std::clamp(level * (1.0 + 0.08 * random.normal()) + 2.0 * random.normal(), 0.0, 255.0);
   result.is_there = is_detected(strength(echo, model), laser.always_lost, random);
   return result;

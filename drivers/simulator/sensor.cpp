@@ -22,6 +22,7 @@ constexpr double kEdge_m = 0.1;
 /// What a beam meets: a mover, or what stands still, through whatever lets it pass.
 Hit meet(const RayCaster& scene,
          const Traffic& traffic,
+         Traffic::Candidates movers,
          const RayPacket& rays,
          std::size_t i,
          Hit hit,
@@ -34,8 +35,8 @@ Hit meet(const RayCaster& scene,
     if (transmission == 0.0 || !random.chance(transmission)) break;
     hit = scene.cast_on(rays, i, hit.range_m + kBeyond_m);
   }
-  if (traffic.is_empty()) return hit;
-  const Hit mover = traffic.cast(rays, i, scene.origin(), t_s, std::min(hit.range_m, 1e6F));
+  if (movers == 0) return hit;
+  const Hit mover = traffic.cast(movers, rays, i, scene.origin(), t_s, std::min(hit.range_m, 1e6F));
   if (!mover.is_there() || random.chance(optics(mover.surface.material).transmission)) return hit;
   return mover;
 }
@@ -138,10 +139,10 @@ Returns Sensor::sense(Volley& volley, std::size_t i, const RayCaster& scene, con
   const double t_s = volley.beams[i].t_s;
   std::array<Echo, 2> echoes;
   std::size_t n = 0;
-  const Hit hit = meet(scene, traffic, volley.rays, i, volley.hits[i], t_s, random);
+  const Hit hit = meet(scene, traffic, volley.movers, volley.rays, i, volley.hits[i], t_s, random);
   if (hit.is_there()) echoes[n++] = echo_of(volley, i, volley.rays, hit);
   if (setup_.has_wide_beams) {
-    const Hit other = meet(scene, traffic, volley.aside, i, volley.aside_hits[i], t_s, random);
+    const Hit other = meet(scene, traffic, volley.movers, volley.aside, i, volley.aside_hits[i], t_s, random);
     const double share = random.between(0.0, 0.5);
     if (is_edge(volley.rays.way(i), hit, volley.aside.way(i), other)) {
       if (n > 0) echoes[0].share = 1.0 - share;
@@ -180,6 +181,7 @@ void Sensor::fire(std::int64_t first,
     for (volley.from = 0; volley.from < kBlock; volley.from += RayPacket::kSize) {
       aim(volley, scene.origin());
       scene.cast(volley.rays, volley.hits);
+      volley.movers = traffic.candidates(volley.rays, scene.origin(), volley.beams[0].t_s);
       if (setup_.has_wide_beams) {
         spread(volley);
         scene.cast(volley.aside, volley.aside_hits);

@@ -81,6 +81,7 @@ class Sensor {
     std::array<Random, RayPacket::kSize> random;
     RayPacket rays, aside;
     std::array<Hit, RayPacket::kSize> hits, aside_hits;
+    Traffic::Candidates movers = 0;
   };
 
   void take_stand(std::int64_t first);

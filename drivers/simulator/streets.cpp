@@ -37,7 +37,7 @@ StreetPlace StreetMap::relate(const StreetPoint& point, const Eigen::Vector2d& p
   const Eigen::Vector2d from = place - point.at;
   StreetPlace result{&point, 0.0, point.along.dot(from), point.left().dot(from)};
   const double beyond = std::max(0.0, std::abs(result.along_m) - 0.5 * kSpacing_m);
-  result.edge_m = std::hypot(beyond, result.offset_m) - point.half_width_m;
+  result.edge_m = std::sqrt(beyond * beyond + result.offset_m * result.offset_m) - point.half_width_m;
   return result;
 }
 

@@ -3,6 +3,7 @@
 #include "traffic.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <numbers>
 
@@ -143,7 +144,8 @@ void Traffic::prepare(double t_s, const Vector3d& sensor) {
   present_interval_ = interval;
   present_.clear();
   const double begin_s = kStep_s * static_cast<double>(interval), here_m = vehicle_m(t_s);
-  for (std::size_t i = 0; i < movers_.size(); ++i) {
+  constexpr std::size_t kMost = 64;  // bits of Candidates
+  for (std::size_t i = 0; i < movers_.size() && present_.size() < kMost; ++i) {
     const Mover& mover = movers_[i];
     if (t_s < mover.from_s || t_s > mover.until_s || mover.along_m(t_s) < 3.0 ||
         mover.along_m(t_s) > way_.length_m() - 3.0)
@@ -156,29 +158,53 @@ void Traffic::prepare(double t_s, const Vector3d& sensor) {
   }
 }
 
-Hit Traffic::cast(
-    const RayPacket& rays, std::size_t i, const Vector3d& origin, double t_s, float max_m) const noexcept {
+Traffic::Candidates Traffic::candidates(const RayPacket& rays,
+                                        const Vector3d& origin,
+                                        double t_s) const noexcept {
+  // From the first ray of a packet to the last, and the width of a beam.
+  const Vector3d way = rays.way(0).cast<double>();
+  const double spread = (rays.way(RayPacket::kSize - 1) - rays.way(0)).cast<double>().norm() + 0.005;
+  const Vector3d from = origin + rays.foot(0).cast<double>();
+  const double since_s = t_s - kStep_s * static_cast<double>(present_interval_);
+  Candidates result = 0;
+  for (std::size_t k = 0; k < present_.size(); ++k) {
+    const Present& present = present_[k];
+    const Vector3d to = present.T_world_mover.translation() + since_s * present.velocity_m_s - from;
+    const double along_m = to.dot(way);
+    // About its bounding sphere; the mover's origin is on the ground in the middle of its box.
+    const double radius_m =
+        shapes_->models[movers_[present.mover].model].high.norm() + spread * std::abs(along_m);
+    if (along_m < -radius_m || to.squaredNorm() - along_m * along_m > radius_m * radius_m) continue;
+    result |= Candidates{1} << k;
+  }
+  return result;
+}
+
+Hit Traffic::cast(Candidates candidates,
+                  const RayPacket& rays,
+                  std::size_t i,
+                  const Vector3d& origin,
+                  double t_s,
+                  float max_m) const noexcept {
   Hit nearest;
   const double since_s = t_s - kStep_s * static_cast<double>(present_interval_);
-  const Vector3d from = origin + rays.foot(i).cast<double>();
-  const Vector3d way = rays.way(i).cast<double>();
-  for (const Present& present : present_) {
-    const Model& model = shapes_->models[movers_[present.mover].model];
+  const Vector3d from = origin + rays.foot(i).cast<double>(), way = rays.way(i).cast<double>();
+  for (; candidates != 0; candidates &= candidates - 1) {
+    const Present& present = present_[static_cast<std::size_t>(std::countr_zero(candidates))];
+    const std::size_t model = movers_[present.mover].model;
     const Vector3d to = present.T_world_mover.translation() + since_s * present.velocity_m_s - from;
-    // Past its bounding sphere: nothing to do. The origin is on the ground in the middle of the box.
-    const double radius_m = model.high.norm(), along_m = to.dot(way);
-    if (along_m < -radius_m || to.squaredNorm() - along_m * along_m > radius_m * radius_m) continue;
     const Eigen::Matrix3d R_world_mover =
-        present.T_world_mover.linear() * exp_so3(since_s * present.turn_rad_s);
+        present.T_world_mover.linear() + present.T_world_mover.linear() * hat(since_s * present.turn_rad_s);
     const Eigen::Matrix3d R = R_world_mover.transpose();
     RTCRayHit query = one_ray((R * -to).cast<float>(), (R * way).cast<float>(), RayCaster::kNearest_m,
                               std::min(max_m, nearest.range_m));
     RTCIntersectContext context;
     rtcInitIntersectContext(&context);
-    rtcIntersect1(shapes_->scenes[movers_[present.mover].model].get(), &context, &query);
+    rtcIntersect1(shapes_->scenes[model].get(), &context, &query);
     if (query.hit.geomID == RTC_INVALID_GEOMETRY_ID) continue;
     const Vector3d normal(query.hit.Ng_x, query.hit.Ng_y, query.hit.Ng_z);
-    nearest = {query.ray.tfar, (R_world_mover * normal).cast<float>(), model.mesh.surfaces[query.hit.primID]};
+    nearest = {query.ray.tfar, (R_world_mover * normal).cast<float>(),
+               shapes_->models[model].mesh.surfaces[query.hit.primID]};
   }
   return nearest;
 }

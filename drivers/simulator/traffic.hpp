@@ -52,10 +52,14 @@ class Traffic {
 
   /// Finds out who is near; to be called for every few milliseconds of rays.
   void prepare(double t_s, const Eigen::Vector3d& sensor);
-  bool is_empty() const noexcept { return present_.empty(); }
 
-  /// The first mover that a ray meets within `max_m`. Ray coordinates count from `origin`.
-  Hit cast(const RayPacket& rays,
+  /// Movers that some ray of a packet may meet, a bit each. Ray coordinates count from `origin`.
+  using Candidates = std::uint64_t;
+  Candidates candidates(const RayPacket& rays, const Eigen::Vector3d& origin, double t_s) const noexcept;
+
+  /// The first of them that a ray meets within `max_m`.
+  Hit cast(Candidates candidates,
+           const RayPacket& rays,
            std::size_t i,
            const Eigen::Vector3d& origin,
            double t_s,
