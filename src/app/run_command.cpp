@@ -166,7 +166,9 @@ void add_run_command(CLI::App& program, Action& action) {
   const auto options = std::make_shared<RunOptions>();
   command
       .add_option("source", options->source,
-                  "udp://:2368 (a live sensor), drive.pcap, or a folder of KITTI scans (kitti:sequences/00)")
+                  "udp://:2368 (a live sensor), drive.pcap, a folder of KITTI scans (kitti:sequences/00), or "
+                  "sim:urban "
+                  "(a made-up drive; sim:urban,seed=3,seconds=60)")
       ->type_name("SOURCE")
       ->required();
   command

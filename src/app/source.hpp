@@ -27,10 +27,10 @@ struct OpenFolder {
 };
 using OpenSource = std::variant<OpenPackets, OpenFolder>;
 
-/// Opens what the user named: `udp://:2368`, `drive.pcap`, `kitti:sequences/00`; the prefixes pcap: and
-/// kitti: may be left out, a folder is KITTI's and a file a capture. For a capture without a configured
-/// calibration the one that lies beside it is taken, and set in `config`, so that what was used is on record.
-/// Throws Error.
+/// Opens what the user named: `udp://:2368`, `drive.pcap`, `kitti:sequences/00`, `sim:urban,seed=3`; the
+/// prefixes pcap: and kitti: may be left out, a folder is KITTI's and a file a capture. For a capture without
+/// a configured calibration the one that lies beside it is taken, and set in `config`, so that what was used
+/// is on record. Throws Error.
 OpenSource open_source(const std::string& name, Config& config);
 
 }  // namespace pago::app
