@@ -12,15 +12,25 @@ std::string_view to_string(Health health) noexcept {
 
 std::string_view to_string(HealthReason reason) noexcept {
   constexpr std::array<std::string_view, static_cast<std::size_t>(HealthReason::kCount)> kWords{
-      "",           "first sweep",      "motion not known yet", "too few features", "motion not observable", "implausible motion",
-      "not finite", "incomplete sweep", "time gap",         "refused scan",
-      "poor fit to the map", "local map begun anew", "cut short by the deadline"};
+      "",
+      "first sweep",
+      "motion not known yet",
+      "too few features",
+      "motion not observable",
+      "implausible motion",
+      "not finite",
+      "incomplete sweep",
+      "time gap",
+      "refused scan",
+      "poor fit to the map",
+      "local map begun anew",
+      "cut short by the deadline"};
   return kWords[static_cast<std::size_t>(reason)];
 }
 
 std::string_view to_string(PacketFault fault) noexcept {
   constexpr std::array<std::string_view, static_cast<std::size_t>(PacketFault::kCount)> kWords{
-      "none", "size", "block flag", "azimuth", "stamp"};
+      "none", "size", "block flag", "azimuth", "stamp", "other sensor"};
   return kWords[static_cast<std::size_t>(fault)];
 }
 

@@ -62,6 +62,19 @@ void MappingStage::finish(Sweep& sweep) noexcept {
   report(sweep.motion, sweep.estimate);
 }
 
+void MappingStage::reset() noexcept {
+  map_.clear();
+  trust_.restart();
+  standstill_.reset();
+  phase_ = Phase::kEmpty;
+  refined_ = {};
+  T_odom_map_.setIdentity();
+  T_map_reference_.setIdentity();
+  twist_.setZero();
+  is_placed_ = false;
+  predicted_in_a_row_ = unconfirmed_ = inserted_standing_ = 0;
+}
+
 void MappingStage::update(Sweep&) noexcept {
   if (!is_inserted_) return;
   insert_points(map_points_, twist_, T_map_reference_, map_);
@@ -128,8 +141,9 @@ void MappingStage::track(const ScanMotion& motion, Sweep& sweep) noexcept {
   }
   JointResult result = registration_.align(map_, key_points_, guess, trust_.limits(), *budget_);
   HealthReason reason = trust_.judge(result, guess.T_last_this, twist_, motion.period_s);
-  const bool is_astray = motion.is_time_lost || motion.period_s > kGap_s ||
-                         trust_.failures() % config_.trust.relocalise_after == config_.trust.relocalise_after - 1;
+  const bool is_astray =
+      motion.is_time_lost || motion.period_s > kGap_s ||
+      trust_.failures() % config_.trust.relocalise_after == config_.trust.relocalise_after - 1;
   if (!is_usable(reason) && is_astray) {
     const JointResult found = relocalise(guess);
     if (trust_.is_usual(found.score) && static_cast<int>(found.matches) >= config_.trust.min_matches) {
@@ -159,8 +173,8 @@ MotionGuess MappingStage::guess_of(const ScanMotion& motion) const noexcept {
   return guess;
 }
 
-// Where could it be, if the velocity has changed since the sweep before? Seeds along the way and to its sides, tried
-// on a part of the points; the best is then registered with all of them.
+// Where could it be, if the velocity has changed since the sweep before? Seeds along the way and to its
+// sides, tried on a part of the points; the best is then registered with all of them.
 JointResult MappingStage::relocalise(const MotionGuess& guess) noexcept {
   constexpr double kAcceleration_m_s2 = 3.0, kLeast_m = 3.0, kMost_m = 15.0, kStep_m = 1.5;
   constexpr std::array<double, 5> kTurns_deg{0.0, 10.0, -10.0, 20.0, -20.0};
@@ -177,13 +191,14 @@ JointResult MappingStage::relocalise(const MotionGuess& guess) noexcept {
       Vector6d offset = Vector6d::Zero();
       offset[0] = step * kStep_m, offset[5] = turn_deg * std::numbers::pi / 180.0;
       seed.T_last_this = guess.T_last_this * exp_se3(offset);
-      const JointResult tried = registration_.align(map_, key_points_, seed,
-                                                    {config_.gate_m, config_.kernel_min_m, config_.max_iterations, kStride});
+      const JointResult tried = registration_.align(
+          map_, key_points_, seed, {config_.gate_m, config_.kernel_min_m, config_.max_iterations, kStride});
       if (tried.score > best.score) best = tried;
     }
   }
   seed.T_last_this = best.T_last_this;
-  return registration_.align(map_, key_points_, seed, {config_.gate_m, config_.kernel_min_m, config_.max_iterations});
+  return registration_.align(map_, key_points_, seed,
+                             {config_.gate_m, config_.kernel_min_m, config_.max_iterations});
 }
 
 void MappingStage::adopt(const ScanMotion& motion,
@@ -197,7 +212,8 @@ void MappingStage::adopt(const ScanMotion& motion,
   } else {
     standstill_.reset();
   }
-  if (usable || motion.is_registered) twist_ = log_se3(T_map_reference_.inverse() * T_map_this) / motion.period_s;
+  if (usable || motion.is_registered)
+    twist_ = log_se3(T_map_reference_.inverse() * T_map_this) / motion.period_s;
   T_map_reference_ = orthonormalized(T_map_this);
   if (usable) {
     trust_.accept(result);
@@ -210,8 +226,8 @@ void MappingStage::adopt(const ScanMotion& motion,
   is_inserted_ = usable && inserted_standing_ <= kMostInsertedStanding;
 }
 
-// Nothing of the old map fits any more. Where scan-to-scan still tells the motion, the new one goes on from here;
-// else it begins as at the very start.
+// Nothing of the old map fits any more. Where scan-to-scan still tells the motion, the new one goes on from
+// here; else it begins as at the very start.
 void MappingStage::restart(const ScanMotion& motion, Estimate& estimate) noexcept {
   map_.clear();
   trust_.restart();
@@ -252,13 +268,13 @@ void MappingStage::state(const ScanMotion& motion,
 
 void MappingStage::report(const ScanMotion& motion, Estimate& estimate) noexcept {
   // Until it is known how the sensor moved at the start, the first pose cannot be placed.
-  if (!is_placed_ ) {
+  if (!is_placed_) {
     T_odom_map_ = exp_se3(twist_ * seconds(first_reference_ns_ - first_reported_ns_));
     is_placed_ = refined_.has_motion && phase_ == Phase::kTracking;
   }
   refined_.is_placed = true;
   refined_.T_odom_reference = T_odom_map_ * T_map_reference_;
-  refined_.twist = twist_;
+  refined_.twist = estimate.twist = twist_;
   estimate.T_odom_sensor_refined =
       refined_.T_odom_reference * exp_se3(twist_ * seconds(motion.reported_ns - motion.reference_ns));
 }

@@ -3,8 +3,6 @@
 #include "pago/mapping/start_search.hpp"
 
 #include <algorithm>
-#include <cstdio>
-#include <cstdlib>
 #include <numbers>
 
 #include "local_map.hpp"
@@ -23,7 +21,7 @@ namespace {
 constexpr std::uint32_t kCells = 20'000;
 /// Seeds are tried on a part of the key points: there are many seeds, and they need only fall into a hollow.
 constexpr std::size_t kSeedStride = 3;
-constexpr int kSeedPasses = 2;
+constexpr double kNoSpeed = 1e9, kNoScore = -1e9;
 
 /// Motions that a road vehicle may be found in. Fast ones turn little.
 std::vector<Vector6d> seeds_of(const StartConfig& c) {
@@ -107,49 +105,49 @@ void StartSearch::hand_over(const Eigen::Isometry3d& T_map_start, CellMap& map) 
   }
 }
 
-// The first sweep is distorted by the motion that is sought: each pass de-skews it with the motion found so far.
-JointResult StartSearch::try_seed(const Vector6d& seed_twist, const PointCloud& key_points, double period_s) noexcept {
-  JointLimits limits{config_.gate_m, config_.kernel_min_m, config_.max_iterations, kSeedStride, false};
-  MotionGuess guess;
-  guess.T_last_this = exp_se3(seed_twist * period_s);
-  guess.period_s = is_compensated_ ? 0.0 : period_s;
-  JointResult result;
-  for (int pass = 0; pass < kSeedPasses; ++pass) {
-    scratch_.clear();
-    insert(0, Eigen::Isometry3d::Identity(), log_se3(guess.T_last_this) / period_s, scratch_);
-    result = registration_.align(scratch_, key_points, guess, limits);
-    guess.T_last_this = result.T_last_this;
-  }
-  return result;
-}
-
+// The first sweep is distorted by the motion that is sought, so it is de-skewed by each speed tried. Turns
+// are tried against the same map: at the rates of vehicles their distortion is below a cell.
 void StartSearch::sow(const PointCloud& key_points, double period_s) noexcept {
   num_paths_ = 0;
+  MotionGuess guess;
+  guess.period_s = is_compensated_ ? 0.0 : period_s;
+  double mapped_m_s = kNoSpeed;
   for (const Vector6d& seed : seeds_) {
-    Path path;
-    path.last = try_seed(seed, key_points, period_s);
-    path.score = score_of(path.last, seed);
-    path.T_start_sweep[0].setIdentity();
-    path.T_start_sweep[1] = path.last.T_last_this;
-    path.twist[0] = path.twist[1] = log_se3(path.last.T_last_this) / period_s;
-    // Into the list of the best that differ from each other.
-    std::size_t at = 0;
-    while (at < num_paths_ && !agree(paths_[at], path)) ++at;
-    if (at == num_paths_) {
-      if (num_paths_ < kMostHypotheses) ++num_paths_;
-      at = num_paths_ - 1;  // the worst one's place, or a new one
-      if (at + 1 == kMostHypotheses && paths_[at].score >= path.score) continue;
-    } else if (paths_[at].score >= path.score) {
-      continue;
+    if (seed[0] != mapped_m_s) {
+      Vector6d straight = Vector6d::Zero();
+      straight[0] = mapped_m_s = seed[0];
+      scratch_.clear();
+      insert(0, Eigen::Isometry3d::Identity(), straight, scratch_);
     }
-    paths_[at] = path;
-    for (; at > 0 && paths_[at].score > paths_[at - 1].score; --at) std::swap(paths_[at], paths_[at - 1]);
+    guess.T_last_this = exp_se3(seed * period_s);
+    keep(registration_.align(
+             scratch_, key_points, guess,
+             {config_.gate_m, config_.kernel_min_m, config_.max_iterations, kSeedStride, false}),
+         period_s);
   }
   for (std::size_t h = 0; h < num_paths_; ++h) {
     map_of_[h] = h;
     maps_[h].clear();
     insert(0, paths_[h].T_start_sweep[0], paths_[h].twist[0], maps_[h]);
   }
+}
+
+// Among the best that differ from each other.
+void StartSearch::keep(const JointResult& result, double period_s) noexcept {
+  Path path;
+  path.last = result;
+  path.T_start_sweep[0].setIdentity();
+  path.T_start_sweep[1] = result.T_last_this;
+  path.twist[0] = path.twist[1] = log_se3(result.T_last_this) / period_s;
+  path.score = score_of(result, path.twist[1]);
+
+  std::size_t at = 0;
+  while (at < num_paths_ && !agree(paths_[at], path)) ++at;
+  if (at == num_paths_ && num_paths_ < kMostHypotheses) paths_[num_paths_++].score = kNoScore;
+  at = std::min(at, num_paths_ - 1);  // one like it, the room for another, or the worst
+  if (paths_[at].score >= path.score) return;
+  paths_[at] = path;
+  for (; at > 0 && paths_[at].score > paths_[at - 1].score; --at) std::swap(paths_[at], paths_[at - 1]);
 }
 
 void StartSearch::advance(std::size_t h, const PointCloud& key_points, double period_s) noexcept {
@@ -166,15 +164,16 @@ void StartSearch::advance(std::size_t h, const PointCloud& key_points, double pe
   path.twist[last + 1] = log_se3(path.last.T_last_this) / period_s;
 }
 
-void StartSearch::insert(int sweep, const Eigen::Isometry3d& T, const Vector6d& twist, CellMap& map) const noexcept {
+void StartSearch::insert(int sweep,
+                         const Eigen::Isometry3d& T,
+                         const Vector6d& twist,
+                         CellMap& map) const noexcept {
   insert_points(sweeps_[static_cast<std::size_t>(sweep)], is_compensated_ ? Vector6d::Zero() : twist, T, map);
 }
 
-// Best first; gives up those that have come to agree with a better one, and those that fall behind: by less and less
-// the more sweeps have spoken.
+// Best first; gives up those that have come to agree with a better one, and those that fall behind: by less
+// and less the more sweeps have spoken.
 void StartSearch::rank() noexcept {
-  const auto twist_of_debug = [&](std::size_t h) { return paths_[h].twist[static_cast<std::size_t>(num_sweeps_ - 1)]; };
-  if (getenv("SD")) { for (std::size_t h=0;h<num_paths_;++h) printf("[%d] h%zu score %.3f tw %.2f %.2f w %.3f | ", num_sweeps_, h, paths_[h].mean_score(num_sweeps_), twist_of_debug(h)[0], twist_of_debug(h)[1], twist_of_debug(h)[5]); puts("");}
   for (std::size_t h = 1; h < num_paths_; ++h) {
     for (std::size_t at = h; at > 0 && paths_[at].score > paths_[at - 1].score; --at) {
       std::swap(paths_[at], paths_[at - 1]);

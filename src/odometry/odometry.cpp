@@ -54,6 +54,13 @@ OdometryStage::OdometryStage(const OdometryConfig& config,
       raw_targets_(max_returns),
       targets_(config, max_returns) {}
 
+void OdometryStage::reset() noexcept {
+  has_last_ = has_motion_ = false;
+  twist_.setZero();
+  T_odom_reference_.setIdentity();
+  predicted_in_a_row_ = 0;
+}
+
 void OdometryStage::finish(Sweep& sweep) noexcept {
   if (!sweep.header.is_posed()) return;
   sweep.motion = instants_of(sweep.header);
@@ -83,9 +90,9 @@ void OdometryStage::update(Sweep& sweep) noexcept {
   has_last_ = true;
 }
 
-// Poses are chained between the middles of sweeps: an error of the velocity moves the returns of a sweep's two halves
-// to opposite sides and cancels. Between ends it would move all to one side, and the chain of ever new de-skewed
-// targets hands such an error on, with alternating sign, undamped.
+// Poses are chained between the middles of sweeps: an error of the velocity moves the returns of a sweep's
+// two halves to opposite sides and cancels. Between ends it would move all to one side, and the chain of ever
+// new de-skewed targets hands such an error on, with alternating sign, undamped.
 ScanMotion OdometryStage::instants_of(const SweepHeader& header) const noexcept {
   ScanMotion motion;
   motion.reference_ns = motion.reported_ns = header.start_ns + (header.end_ns - header.start_ns) / 2;
@@ -170,6 +177,7 @@ void OdometryStage::report(Sweep& sweep) noexcept {
   Estimate& estimate = sweep.estimate;
   estimate.has_pose = true;
   estimate.stamp_ns = sweep.motion.reported_ns;
+  estimate.twist = twist_;
   const Eigen::Isometry3d T_reference_reported =
       exp_se3(twist_ * seconds(sweep.motion.reported_ns - sweep.motion.reference_ns));
   estimate.T_odom_sensor_front_end = T_odom_reference_ * T_reference_reported;

@@ -47,6 +47,8 @@ struct Estimate {
   /// Of the refined pose's last increment, right perturbation in the sensor frame, order x y z roll pitch
   /// yaw; m^2, m rad, rad^2.
   Matrix6d covariance = Matrix6d::Zero();
+  /// Of the sensor, in its own frame, order x y z roll pitch yaw; m/s and rad/s.
+  Vector6d twist = Vector6d::Zero();
   Health health = Health::kInit;
   HealthReason reason = HealthReason::kFirstSweep;
   bool has_pose = false;  ///< false for partial sweeps at either end of a run, superseded and refused ones
@@ -58,8 +60,9 @@ struct Estimate {
 
   // Scan to map.
   std::uint16_t iterations = 0;
-  bool is_cut_short = false;         ///< iterations ended by the deadline
-  std::uint8_t weak_directions = 0;  ///< bit i: the i-th of x y z roll pitch yaw is not constrained by the map
+  bool is_cut_short = false;  ///< iterations ended by the deadline
+  std::uint8_t weak_directions =
+      0;  ///< bit i: the i-th of x y z roll pitch yaw is not constrained by the map
   std::uint32_t map_points = 0, map_matches = 0;  ///< registered, and of these on a plane of the map
   float map_rms_m = 0.0F;
   float map_score = 0.0F;  ///< mean closeness of the points to the map's planes, 0 to 1

@@ -9,12 +9,14 @@
 
 namespace pago::mapping {
 
-/// Scan-to-map as a pipeline stage, on every sweep: completes sweep.estimate by the refined pose, its covariance
-/// and health. Starts by finding out how the vehicle moves; carries the pose on by odometry's motion where a
-/// sweep does not fit the map, looks for it in the neighbourhood, and begins a new map in the end.
+/// Scan-to-map as a pipeline stage, on every sweep: completes sweep.estimate by the refined pose, its
+/// covariance and health. Starts by finding out how the vehicle moves; carries the pose on by odometry's
+/// motion where a sweep does not fit the map, looks for it in the neighbourhood, and begins a new map in the
+/// end.
 ///
 /// finish() registers; update(), called once the refined pose is out, puts the sweep into the map.
-/// [set-up] constructor: about 45 MB at the defaults; [estimate thread] the rest: real-time safe, deterministic.
+/// [set-up] constructor: about 45 MB at the defaults; [estimate thread] the rest: real-time safe,
+/// deterministic.
 class MappingStage {
  public:
   explicit MappingStage(const MappingConfig& config);
@@ -23,6 +25,9 @@ class MappingStage {
   void accept(const SweepPart&) noexcept {}
   void finish(Sweep& sweep) noexcept;
   void update(Sweep& sweep) noexcept;
+
+  /// As if no sweep had come yet: the next one defines `odom` anew, over an empty map.
+  void reset() noexcept;
 
   /// Lets refinements end early from now on; `budget` must outlive the stage or the next call.
   void set_budget(const Budget& budget) noexcept { budget_ = &budget; }
@@ -39,7 +44,10 @@ class MappingStage {
   void track(const ScanMotion& motion, Sweep& sweep) noexcept;
   MotionGuess guess_of(const ScanMotion& motion) const noexcept;
   JointResult relocalise(const MotionGuess& guess) noexcept;
-  void adopt(const ScanMotion& motion, const MotionGuess& guess, const JointResult& result, bool usable) noexcept;
+  void adopt(const ScanMotion& motion,
+             const MotionGuess& guess,
+             const JointResult& result,
+             bool usable) noexcept;
   void restart(const ScanMotion& motion, Estimate& estimate) noexcept;
   void state(const ScanMotion& motion,
              const MotionGuess& guess,
@@ -67,8 +75,8 @@ class MappingStage {
   Vector6d twist_ = Vector6d::Zero();  // per second, over the last period
   bool is_placed_ = false;
   int predicted_in_a_row_ = 0;  // neither the map nor the last sweep told the motion
-  int unconfirmed_ = 0;  // sweeps in a row with a direction that nothing measured
-  bool is_inserted_ = false;  // the present sweep belongs into the map
+  int unconfirmed_ = 0;         // sweeps in a row with a direction that nothing measured
+  bool is_inserted_ = false;    // the present sweep belongs into the map
   int inserted_standing_ = 0;
 };
 

@@ -9,10 +9,10 @@
 
 namespace pago::mapping {
 
-/// Finds the motion that the sensor is switched on in. Nothing predicts it, both first sweeps are distorted by
-/// it, and one pair of sweeps can fit best for a wrong one: the pattern of scan lines on the ground and the
-/// traffic that drives along fit zero motion (seen on motorways: spec/odometry-prototype.md section 6). So
-/// several motions are carried on, each with a small map of its own, until one explains the sweeps best.
+/// Finds the motion that the sensor is switched on in. Nothing predicts it, both first sweeps are distorted
+/// by it, and one pair of sweeps can fit best for a wrong one: the pattern of scan lines on the ground and
+/// the traffic that drives along fit zero motion (seen on motorways: spec/odometry-prototype.md section 6).
+/// So several motions are carried on, each with a small map of its own, until one explains the sweeps best.
 ///
 /// [set-up] constructor: about 6 MB and 2 MB per hypothesis; [estimate thread] the rest: real-time safe,
 /// deterministic.
@@ -53,12 +53,13 @@ class StartSearch {
     double mean_score(int num_sweeps) const noexcept { return score / (num_sweeps - 1); }
   };
 
-  JointResult try_seed(const Vector6d& seed_twist,
-                       const registration::PointCloud& key_points,
-                       double period_s) noexcept;
   void sow(const registration::PointCloud& key_points, double period_s) noexcept;
+  void keep(const JointResult& result, double period_s) noexcept;
   void advance(std::size_t h, const registration::PointCloud& key_points, double period_s) noexcept;
-  void insert(int sweep, const Eigen::Isometry3d& T, const Vector6d& twist, registration::CellMap& map) const noexcept;
+  void insert(int sweep,
+              const Eigen::Isometry3d& T,
+              const Vector6d& twist,
+              registration::CellMap& map) const noexcept;
   void rank() noexcept;
   bool agree(const Path& a, const Path& b) const noexcept;
 

@@ -7,18 +7,19 @@
 
 namespace pago::odometry {
 
-/// Scan-to-scan odometry as a pipeline stage: the first poses, and the front end's. One of each per sweep that
-/// gets one; where a sweep cannot be registered the motion is carried on at constant velocity and the health
-/// says why. Mapping refines pose and health (and overwrites the latter).
+/// Scan-to-scan odometry as a pipeline stage: the first poses, and the front end's. One of each per sweep
+/// that gets one; where a sweep cannot be registered the motion is carried on at constant velocity and the
+/// health says why. Mapping refines pose and health (and overwrites the latter).
 ///
-/// Poses are chained between the sweeps' reference instants (their middles) and reported at the configured one.
-/// The first posed sweep defines `odom`: its pose at the reported instant is the identity.
+/// Poses are chained between the sweeps' reference instants (their middles) and reported at the configured
+/// one. The first posed sweep defines `odom`: its pose at the reported instant is the identity.
 ///
-/// How the sensor moves at the start is found out by mapping, as that takes several sweeps; until then first and
-/// front-end poses follow mapping's.
+/// How the sensor moves at the start is found out by mapping, as that takes several sweeps; until then first
+/// and front-end poses follow mapping's.
 ///
 /// finish() registers; update(), called once the poses are out, prepares the next sweep's targets.
-/// [set-up] constructor; [estimate thread] the rest: real-time safe, deterministic. About 3 ms of CPU per sweep.
+/// [set-up] constructor; [estimate thread] the rest: real-time safe, deterministic. About 3 ms of CPU per
+/// sweep.
 class OdometryStage {
  public:
   /// `refined` is read with each sweep and must outlive the stage.
@@ -29,13 +30,19 @@ class OdometryStage {
   void finish(Sweep& sweep) noexcept;
   void update(Sweep& sweep) noexcept;
 
+  /// As if no sweep had come yet: the next one defines `odom` anew.
+  void reset() noexcept;
+
  private:
   ScanMotion instants_of(const SweepHeader& header) const noexcept;
   void time_since_last(const SweepHeader& header, ScanMotion& motion) const noexcept;
   void follow_start(ScanMotion& motion) noexcept;
   void advance(Sweep& sweep) noexcept;
   HealthReason judge(const RegistrationResult& result, const Eigen::Isometry3d& T_predicted) const noexcept;
-  void state(Estimate& estimate, const RegistrationResult& result, HealthReason reason, double period_s) noexcept;
+  void state(Estimate& estimate,
+             const RegistrationResult& result,
+             HealthReason reason,
+             double period_s) noexcept;
   void report(Sweep& sweep) noexcept;
 
   OdometryConfig config_;
