@@ -109,12 +109,13 @@ void SweepThinner::finish(Sweep& sweep) noexcept {
   pick_key_points(lists);
 }
 
-// Those of lowest rank: any subset by rank is a random one. In the order of their indices, as memory likes it.
+// Those of lowest rank: any subset by rank is a random one. In the order of their indices, as memory likes
+// it.
 void SweepThinner::pick_key_points(FeatureLists& lists) noexcept {
   candidates_.clear();
   for (std::size_t n = 0; n < key_.size(); ++n) candidates_.push_back({key_.rank(n), key_.chosen(n)});
-  const std::size_t wanted =
-      std::min({candidates_.size(), lists.key_points.capacity(), static_cast<std::size_t>(config_.key_points)});
+  const std::size_t wanted = std::min(
+      {candidates_.size(), lists.key_points.capacity(), static_cast<std::size_t>(config_.key_points)});
   std::nth_element(candidates_.begin(), candidates_.begin() + wanted, candidates_.end(),
                    [](const Candidate& a, const Candidate& b) { return a.rank < b.rank; });
   candidates_.truncate(wanted);

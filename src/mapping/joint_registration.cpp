@@ -61,7 +61,8 @@ JointResult JointRegistration::align(CellMap& map,
                                              -(sum.b + guess.information * off));
     if (!step.allFinite()) break;
     result.T_last_this = perturb(result.T_last_this, step);
-    if (step.head<3>().norm() < config_.stop_translation_m && step.tail<3>().norm() < config_.stop_rotation_rad)
+    if (step.head<3>().norm() < config_.stop_translation_m &&
+        step.tail<3>().norm() < config_.stop_rotation_rad)
       break;
     if (result.iterations >= limits.max_iterations) break;
     result.is_cut = !budget.allows_after(result.iterations);

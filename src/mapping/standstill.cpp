@@ -12,8 +12,8 @@ namespace pago::mapping {
 
 namespace {
 
-/// Whether a motion is none, by what it can be told from: three deviations, at least a centimetre and 1 mrad. What
-/// is beyond 5 cm or 5 mrad is motion even where little can be told.
+/// Whether a motion is none, by what it can be told from: three deviations, at least a centimetre and 1 mrad.
+/// What is beyond 5 cm or 5 mrad is motion even where little can be told.
 bool is_none(const Vector6d& motion, const Matrix6d& information) noexcept {
   constexpr double kLeast_m = 0.01, kMost_m = 0.05, kLeast_rad = 0.001, kMost_rad = 0.005;
   const Matrix6d covariance = inverse_of(information);

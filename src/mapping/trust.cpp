@@ -15,7 +15,8 @@ HealthReason Trust::judge(const JointResult& result,
                           const Vector6d& last_twist,
                           double period_s) const noexcept {
   const TrustConfig& c = config_.trust;
-  if (!result.T_last_this.matrix().allFinite() || !result.information.allFinite()) return HealthReason::kNotFinite;
+  if (!result.T_last_this.matrix().allFinite() || !result.information.allFinite())
+    return HealthReason::kNotFinite;
   if (static_cast<int>(result.matches) < c.min_matches) return HealthReason::kTooFewFeatures;
   if (!is_usual(result.score)) return HealthReason::kPoorFit;
 

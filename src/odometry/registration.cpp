@@ -11,8 +11,8 @@
 
 namespace pago::odometry {
 
-using registration::Row;
 using registration::plane_row;
+using registration::Row;
 
 namespace {
 
@@ -21,7 +21,8 @@ constexpr std::array<int, 3> kStepOne{2, 3, 4};
 constexpr std::array<int, 3> kStepTwo{0, 1, 5};
 
 Match match_of(const Eigen::Vector3d& source, const Plane& plane, const OdometryConfig& config) noexcept {
-  return {source, plane.centre, plane.normal, plane.variance_m2 + config.point_sigma_m * config.point_sigma_m};
+  return {source, plane.centre, plane.normal,
+          plane.variance_m2 + config.point_sigma_m * config.point_sigma_m};
 }
 Match match_of(const Eigen::Vector3d& source, const Line& line, const OdometryConfig& config) noexcept {
   return {source, line.centre, line.direction, line.variance_m2 + config.edge_sigma_m * config.edge_sigma_m};
@@ -73,7 +74,8 @@ RegistrationResult TwoStepRegistration::align(const FeatureSet& sources,
       solve(kStepTwo, result.weak.penalty);
     }
     const Vector6d moved = difference(T_before, T_);
-    if (moved.head<3>().norm() < config_.stop_translation_m && moved.tail<3>().norm() < config_.stop_rotation_rad)
+    if (moved.head<3>().norm() < config_.stop_translation_m &&
+        moved.tail<3>().norm() < config_.stop_rotation_rad)
       break;
   }
   const registration::WeakDirections weak = result.weak;
@@ -93,13 +95,16 @@ void TwoStepRegistration::deskew_sources(const FeatureSet& sources, double perio
 }
 
 void TwoStepRegistration::match_step_one(Targets& targets) noexcept {
-  match(deskewed_.ground, [&](const Eigen::Vector3d& query) { return targets.find_ground(query); }, ground_);
+  match(
+      deskewed_.ground, [&](const Eigen::Vector3d& query) { return targets.find_ground(query); }, ground_);
 }
 
 void TwoStepRegistration::match_step_two(Targets& targets) noexcept {
-  match(deskewed_.edges, [&](const Eigen::Vector3d& query) { return targets.find_edge(query); }, edges_);
+  match(
+      deskewed_.edges, [&](const Eigen::Vector3d& query) { return targets.find_edge(query); }, edges_);
   if (config_.walls_in_step_two)
-    match(deskewed_.walls, [&](const Eigen::Vector3d& query) { return targets.find_wall(query); }, walls_);
+    match(
+        deskewed_.walls, [&](const Eigen::Vector3d& query) { return targets.find_wall(query); }, walls_);
 }
 
 template <typename Find>
@@ -136,7 +141,8 @@ void TwoStepRegistration::add_rows(const Matches& matches, Shape shape) noexcept
 void TwoStepRegistration::weigh(std::span<Row> rows, Shape shape) noexcept {
   const std::size_t per_match = shape == Shape::kPlane ? 1 : 2;
   const auto magnitude = [&](std::size_t i) {
-    return per_match == 1 ? std::abs(rows[i].residual_m) : std::hypot(rows[i].residual_m, rows[i + 1].residual_m);
+    return per_match == 1 ? std::abs(rows[i].residual_m)
+                          : std::hypot(rows[i].residual_m, rows[i + 1].residual_m);
   };
   magnitudes_.clear();
   for (std::size_t i = 0; i < rows.size(); i += per_match) magnitudes_.push_back(magnitude(i));
@@ -190,7 +196,8 @@ void TwoStepRegistration::finish(RegistrationResult& result) noexcept {
   result.ground_rms_m = one.rms_m();
   result.edge_rms_m = two.rms_m();
   result.information = one.H + two.H;
-  result.weak = registration::find_weak_directions(result.information, rows_.view(), config_.min_contribution);
+  result.weak =
+      registration::find_weak_directions(result.information, rows_.view(), config_.min_contribution);
 }
 
 }  // namespace pago::odometry

@@ -15,10 +15,12 @@ using registration::Deskew;
 namespace {
 
 CellMapOptions planes_of(const CellTargetsConfig& c) {
-  return {CellShape::kPlane, c.cell_m, c.max_points, c.min_points, c.max_flatness, c.max_thickness_m, c.min_width_m};
+  return {CellShape::kPlane, c.cell_m,          c.max_points, c.min_points,
+          c.max_flatness,    c.max_thickness_m, c.min_width_m};
 }
 CellMapOptions lines_of(const CellTargetsConfig& c) {
-  return {CellShape::kLine, c.cell_m, c.max_points, c.min_line_points, c.max_flatness, c.max_thickness_m, c.min_width_m};
+  return {CellShape::kLine, c.cell_m,          c.max_points, c.min_line_points,
+          c.max_flatness,   c.max_thickness_m, c.min_width_m};
 }
 
 void insert(const PointCloud& cloud, const Vector6d& twist, std::uint8_t surface, CellMap& map) noexcept {
@@ -63,7 +65,8 @@ std::optional<Plane> Targets::find_plane(const Eigen::Vector3d& query, std::uint
   Eigen::Vector3f offset;
   const Cell* cell = cells_->planes.find_shape(query, surface, offset);
   if (cell == nullptr || !(std::abs(cell->axis.dot(offset)) < radius_m_)) return std::nullopt;
-  return Plane{query - offset.cast<double>(), cell->axis.cast<double>(), static_cast<double>(cell->thickness_m2)};
+  return Plane{query - offset.cast<double>(), cell->axis.cast<double>(),
+               static_cast<double>(cell->thickness_m2)};
 }
 
 std::optional<Plane> Targets::find_ground(const Eigen::Vector3d& query) noexcept {
@@ -81,7 +84,8 @@ std::optional<Line> Targets::find_edge(const Eigen::Vector3d& query) noexcept {
   Eigen::Vector3f offset;
   const Cell* cell = cells_->lines.find_shape(query, kNonGround, offset);
   if (cell == nullptr || !(cell->axis.cross(offset).norm() < radius_m_)) return std::nullopt;
-  return Line{query - offset.cast<double>(), cell->axis.cast<double>(), static_cast<double>(cell->thickness_m2)};
+  return Line{query - offset.cast<double>(), cell->axis.cast<double>(),
+              static_cast<double>(cell->thickness_m2)};
 }
 
 }  // namespace pago::odometry

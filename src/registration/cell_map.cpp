@@ -51,8 +51,8 @@ void CellMap::insert(const Eigen::Vector3d& point_m, std::uint8_t surface) noexc
   if (cell.count >= options_.max_points) return;
   ++cell.count;
 
-  const Eigen::Vector3f p =
-      ((in_cells - at.cast<double>()).array() - 0.5).matrix().cast<float>() * static_cast<float>(options_.cell_m);
+  const Eigen::Vector3f p = ((in_cells - at.cast<double>()).array() - 0.5).matrix().cast<float>() *
+                            static_cast<float>(options_.cell_m);
   // Welford 1962: numerically stable for any number of points.
   const Eigen::Vector3f before = p - cell.mean_m;
   cell.mean_m += before / static_cast<float>(cell.count);
@@ -76,7 +76,8 @@ void CellMap::fit_if_due(Cell& cell) const noexcept {
   const Eigen::Vector3d variance = solver.eigenvalues().cwiseMax(0.0);
   const double off = is_plane ? variance[0] : variance[1], along = is_plane ? variance[1] : variance[2];
   cell.fitted_count = cell.count;
-  cell.has_shape = off < options_.max_flatness * along && off < options_.max_thickness_m * options_.max_thickness_m &&
+  cell.has_shape = off < options_.max_flatness * along &&
+                   off < options_.max_thickness_m * options_.max_thickness_m &&
                    along > options_.min_width_m * options_.min_width_m;
   cell.axis = solver.eigenvectors().col(is_plane ? 0 : 2).cast<float>();
   cell.thickness_m2 = static_cast<float>(off);
@@ -116,8 +117,9 @@ void CellMap::prune(const Eigen::Vector3d& centre_m, double radius_m, std::uint3
   const double radius = radius_m * per_cell_;
   for (std::uint32_t n = 0; n < num_slots; ++n) {
     const std::uint32_t slot = next_pruned_;
-    const bool is_far = keys_[slot] != kNone &&
-                        (unpack(keys_[slot]).head<2>().cast<double>() - centre).squaredNorm() > radius * radius;
+    const bool is_far =
+        keys_[slot] != kNone &&
+        (unpack(keys_[slot]).head<2>().cast<double>() - centre).squaredNorm() > radius * radius;
     if (is_far) {
       remove(slot);  // another cell may move in: look at the slot again
     } else {
@@ -132,7 +134,8 @@ void CellMap::remove(std::uint32_t slot) noexcept {
   std::uint32_t hole = slot;
   for (std::uint32_t next = (slot + 1) & mask_; keys_[next] != kNone; next = (next + 1) & mask_) {
     const std::uint32_t wanted = home(keys_[next]);
-    if (((next - wanted) & mask_) < ((next - hole) & mask_)) continue;  // it would come to stand before its home
+    if (((next - wanted) & mask_) < ((next - hole) & mask_))
+      continue;  // it would come to stand before its home
     keys_[hole] = keys_[next];
     cells_[hole] = cells_[next];
     hole = next;

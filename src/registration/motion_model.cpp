@@ -13,7 +13,8 @@ Matrix6d predicted_information(double period_s, int unconfirmed) noexcept {
   const double variance_factor = period_sq * period_sq * (1 + unconfirmed);
   Vector6d diagonal;
   diagonal.head<3>().setConstant(1.0 / (kAcceleration_m_s2 * kAcceleration_m_s2 * variance_factor));
-  diagonal.tail<3>().setConstant(1.0 / (kTurnAcceleration_rad_s2 * kTurnAcceleration_rad_s2 * variance_factor));
+  diagonal.tail<3>().setConstant(1.0 /
+                                 (kTurnAcceleration_rad_s2 * kTurnAcceleration_rad_s2 * variance_factor));
   return diagonal.asDiagonal();
 }
 

@@ -44,7 +44,8 @@ void describe(Visitor& v, ThinningConfig& c) {
   v("dense_spacing_m", c.dense_spacing_m, within(0.01, 5.0),
     "saved maps keep returns about so far apart along a ring");
   v("map_voxel_m", c.map_voxel_m, within(0.1, 5.0),
-    "of these the local map takes one per voxel of this side; at most 0.4 of mapping.cell_m, or cells stay empty");
+    "of these the local map takes one per voxel of this side; at most 0.4 of mapping.cell_m, or cells stay "
+    "empty");
   v("key_voxel_m", c.key_voxel_m, within(0.1, 10.0), "and of these one per voxel of this side is registered");
   v("key_points", c.key_points, within(50, 8000), "but no more than this, chosen at random");
 }

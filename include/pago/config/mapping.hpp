@@ -6,8 +6,8 @@
 
 namespace pago {
 
-/// [mapping.cells] The local map: a hash of cubic cells, each with the mean and the spread of its points. Values
-/// from the measured trial in spec/odometry-prototype.md section 3.
+/// [mapping.cells] The local map: a hash of cubic cells, each with the mean and the spread of its points.
+/// Values from the measured trial in spec/odometry-prototype.md section 3.
 struct CellsConfig {
   double cell_m = 1.0;
   int max_points = 30;
@@ -25,9 +25,11 @@ void describe(Visitor& v, CellsConfig& c) {
   v("max_points", c.max_points, within(3, 10000), "later points of a cell are not counted");
   v("min_points", c.min_points, within(3, 1000), "fewer points make no plane");
   v("max_flatness", c.max_flatness, within(0.001, 1.0), "of a plane: its least variance over the middle one");
-  v("max_thickness_m", c.max_thickness_m, within(0.01, 2.0), "of a plane: deviation of its points along the normal");
+  v("max_thickness_m", c.max_thickness_m, within(0.01, 2.0),
+    "of a plane: deviation of its points along the normal");
   v("min_width_m", c.min_width_m, within(0.0, 1.0),
-    "of a plane: deviation of its points along its narrower side; the noise of ranges alone gives a ring's arc some");
+    "of a plane: deviation of its points along its narrower side; the noise of ranges alone gives a ring's "
+    "arc some");
   v("max_cells", c.max_cells, within(1000, 4'000'000), "room for so many; 108 bytes each");
   v("radius_m", c.radius_m, within(10.0, 1000.0), "cells farther from the sensor are given up");
 }
@@ -44,7 +46,8 @@ template <typename Visitor>
 void describe(Visitor& v, StartConfig& c) {
   v("search", c.search, "find out how the vehicle moves at the start; false: it stands");
   v("max_speed_m_s", c.max_speed_m_s, within(0.0, 100.0), "highest speed that is tried");
-  v("speed_step_m_s", c.speed_step_m_s, within(1.0, 50.0), "steps of the speeds tried; the first backwards, too");
+  v("speed_step_m_s", c.speed_step_m_s, within(1.0, 50.0),
+    "steps of the speeds tried; the first backwards, too");
   v("turn_rate_deg_s", c.turn_rate_deg_s, within(0.0, 90.0),
     "up to half the highest speed, turns to either side are tried");
 }
@@ -72,7 +75,8 @@ void describe(Visitor& v, TrustConfig& c) {
   v("max_acceleration_m_s2", c.max_acceleration_m_s2, within(1.0, 1000.0), "and for the change of velocity");
   v("relocalise_after", c.relocalise_after, within(1, 1000),
     "failures in a row after which the pose is sought in the whole neighbourhood");
-  v("restart_after", c.restart_after, within(2, 10000), "failures in a row after which the map is begun anew");
+  v("restart_after", c.restart_after, within(2, 10000),
+    "failures in a row after which the map is begun anew");
   v("lost_after", c.lost_after, within(1, 1000), "predicted sweeps in a row until the state is LOST");
 }
 

@@ -41,9 +41,11 @@ void describe(Visitor& v, CellTargetsConfig& c) {
   v("min_line_points", c.min_line_points, within(2, 1000), "fewer edges make no line");
   v("max_flatness", c.max_flatness, within(0.001, 1.0),
     "of a plane: its least variance over the middle one; of a line: the middle one over the greatest");
-  v("max_thickness_m", c.max_thickness_m, within(0.01, 2.0), "deviation of the features off their plane or line");
+  v("max_thickness_m", c.max_thickness_m, within(0.01, 2.0),
+    "deviation of the features off their plane or line");
   v("min_width_m", c.min_width_m, within(0.0, 1.0),
-    "of a plane: deviation of its points along its narrower side; the noise of ranges alone gives a ring's arc some");
+    "of a plane: deviation of its points along its narrower side; the noise of ranges alone gives a ring's "
+    "arc some");
 }
 
 /// [odometry] Scan-to-scan registration in two steps (LeGO-LOAM section III.D, PaGO-LOAM).
@@ -78,7 +80,8 @@ void describe(Visitor& v, OdometryConfig& c) {
     choices(std::pair{"start", PoseInstant::kStart}, std::pair{"mid", PoseInstant::kMid},
             std::pair{"end", PoseInstant::kEnd}),
     "instant of the sweep that its pose holds for");
-  v("targets", c.targets, choices(std::pair{"cells", TargetKind::kCells}, std::pair{"rings", TargetKind::kRings}),
+  v("targets", c.targets,
+    choices(std::pair{"cells", TargetKind::kCells}, std::pair{"rings", TargetKind::kRings}),
     "what features are matched with: Gaussian cells of the last sweep, or its features ring by ring (LOAM)");
   v.section("cells", c.cells, "targets as Gaussian cells");
   v("ring_neighbours", c.ring_neighbours, within(1, 3),
@@ -110,7 +113,8 @@ void describe(Visitor& v, OdometryConfig& c) {
   v("point_sigma_m", c.point_sigma_m, within(0.001, 1.0),
     "deviation of a point from its plane by the sensor alone; thicker planes weigh less");
   v("edge_sigma_m", c.edge_sigma_m, within(0.001, 10.0),
-    "the same for an edge and its line: where an edge is seen depends on where firings fall, in each sweep anew");
+    "the same for an edge and its line: where an edge is seen depends on where firings fall, in each sweep "
+    "anew");
   v("min_contribution", c.min_contribution, within(0.0, 1000.0),
     "a direction of motion for which fewer matches speak, by squared cosine, counts as not observable");
   v("lost_after", c.lost_after, within(1, 1000), "predicted sweeps in a row until the state is LOST");

@@ -4,9 +4,9 @@
 
 namespace pago {
 
-/// How a stage that works in rounds learns that it must come to an end. Stages know no clock: whoever runs them
-/// decides, by a deadline when live, not at all in replays, by what was written down when a live run is replayed
-/// as it was. Asked between rounds; real-time safe.
+/// How a stage that works in rounds learns that it must come to an end. Stages know no clock: whoever runs
+/// them decides, by a deadline when live, not at all in replays, by what was written down when a live run is
+/// replayed as it was. Asked between rounds; real-time safe.
 class Budget {
  public:
   virtual ~Budget() = default;

@@ -9,8 +9,9 @@
 
 namespace pago::features {
 
-/// A draw per index, uniform over 32 bits: the finalizer of MurmurHash3 (A. Appleby, public domain), bijective.
-/// Choosing by it is as good as choosing at random, and the same for every order and partition of the returns.
+/// A draw per index, uniform over 32 bits: the finalizer of MurmurHash3 (A. Appleby, public domain),
+/// bijective. Choosing by it is as good as choosing at random, and the same for every order and partition of
+/// the returns.
 inline std::uint32_t draw(std::uint32_t index, std::uint32_t seed) noexcept {
   std::uint32_t x = index ^ seed;
   x ^= x >> 16;
@@ -20,10 +21,10 @@ inline std::uint32_t draw(std::uint32_t index, std::uint32_t seed) noexcept {
   return x ^ (x >> 16);
 }
 
-/// Keeps returns along a ring about `spacing_m` apart on average, whatever their range: each with a probability
-/// that grows with it. Which ones does not depend on the returns' noise. (Keeping those that are far enough from
-/// the last one kept would prefer ranges that are too long on one half of each surface and too short on the
-/// other, and turn it: seen as 15 mdeg of yaw per sweep.)
+/// Keeps returns along a ring about `spacing_m` apart on average, whatever their range: each with a
+/// probability that grows with it. Which ones does not depend on the returns' noise. (Keeping those that are
+/// far enough from the last one kept would prefer ranges that are too long on one half of each surface and
+/// too short on the other, and turn it: seen as 15 mdeg of yaw per sweep.)
 class SpacingSampler {
  public:
   SpacingSampler(double spacing_m, std::uint32_t columns, std::uint32_t seed) noexcept;
@@ -44,12 +45,12 @@ class SpacingSampler {
 /// [set-up] constructor; [one thread] the rest: real-time safe, deterministic.
 class VoxelThinner {
  public:
-  /// `max_voxels` occupied ones at most; points in voxels beyond that are left out, and so are those beyond 512
-  /// voxels (1,024 in plan) from the origin.
+  /// `max_voxels` occupied ones at most; points in voxels beyond that are left out, and so are those beyond
+  /// 512 voxels (1,024 in plan) from the origin.
   VoxelThinner(double voxel_m, std::uint32_t max_voxels);
 
-  /// Forgets everything. `seed` picks another choice, and shifts the grid: a surface that lies along a boundary
-  /// of voxels would otherwise be thinned unevenly in every sweep.
+  /// Forgets everything. `seed` picks another choice, and shifts the grid: a surface that lies along a
+  /// boundary of voxels would otherwise be thinned unevenly in every sweep.
   void begin(std::uint32_t seed) noexcept;
   void offer(float x_m, float y_m, float z_m, std::uint32_t index) noexcept;
 
@@ -73,8 +74,8 @@ class VoxelThinner {
 };
 
 /// Thins a whole sweep for mapping: sweep.features.dense (what a saved map shows), of these .map_points (what
-/// the local map is made of), of these .key_points (what is registered). Ground and clutter alike: how a return
-/// was classified does not matter here, so this work can be done while the sweep still arrives.
+/// the local map is made of), of these .key_points (what is registered). Ground and clutter alike: how a
+/// return was classified does not matter here, so this work can be done while the sweep still arrives.
 class SweepThinner {
  public:
   SweepThinner(const ThinningConfig& config, std::uint32_t max_returns);

@@ -20,7 +20,8 @@ struct MotionGuess {
   /// How much the start value is trusted; right perturbation in the sensor frame, x y z roll pitch yaw.
   Matrix6d information = Matrix6d::Zero();
   double period_s = 0.0;  ///< from the last sweep's reference instant to this one's; 0: no de-skew
-  /// De-skew by this instead of by what is found: after a leap the motion since the last sweep is no velocity.
+  /// De-skew by this instead of by what is found: after a leap the motion since the last sweep is no
+  /// velocity.
   std::optional<Vector6d> twist = std::nullopt;
 };
 
@@ -42,12 +43,12 @@ struct JointResult {
   int iterations = 0;
   bool is_cut = false;  ///< the budget was spent before the search came to rest
   std::uint32_t offered = 0, matches = 0;
-  double rms_m = 0.0;    ///< robustly weighted
-  double score = 0.0;    ///< how well the points are explained, 0 to 1: mean closeness, 0 for the unmatched
+  double rms_m = 0.0;  ///< robustly weighted
+  double score = 0.0;  ///< how well the points are explained, 0 to 1: mean closeness, 0 for the unmatched
 };
 
-/// Scan to map, all six degrees of freedom at once: points to the planes of the local map, Gauss-Newton under a
-/// Geman-McClure kernel. Each round de-skews the points with the motion found so far, so that pose and
+/// Scan to map, all six degrees of freedom at once: points to the planes of the local map, Gauss-Newton under
+/// a Geman-McClure kernel. Each round de-skews the points with the motion found so far, so that pose and
 /// distortion settle together. Directions that the planes do not constrain keep the start value.
 /// [set-up] constructor; [estimate thread] align(): real-time safe, deterministic but for the budget.
 class JointRegistration {

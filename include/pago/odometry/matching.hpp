@@ -17,8 +17,9 @@ struct Match {
 };
 
 /// The plane through the neighbours of `query` on the nearest feature's ring and on the rings next to it
-/// (LOAM section V.B: two points of a ring and one of the next; `per_ring` of each, up to three, make the normal
-/// less noisy). Empty if nothing is within `radius_m`, or the neighbours lie on one line or on no plane.
+/// (LOAM section V.B: two points of a ring and one of the next; `per_ring` of each, up to three, make the
+/// normal less noisy). Empty if nothing is within `radius_m`, or the neighbours lie on one line or on no
+/// plane.
 struct Plane {
   Eigen::Vector3d centre, normal;
   double variance_m2;

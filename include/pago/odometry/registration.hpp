@@ -23,10 +23,10 @@ struct RegistrationResult {
 };
 
 /// The paper's two-step registration: ground points fix z, roll and pitch; then, with these held, edges (and,
-/// where configured, planar points off the ground) fix x, y and yaw. Rounds of matching and Gauss-Newton steps
-/// under a robust kernel; in each round the sources are de-skewed with the motion found so far. Directions that
-/// nothing constrains keep the guess. [set-up] constructor; [estimate thread] align(): real-time safe,
-/// deterministic.
+/// where configured, planar points off the ground) fix x, y and yaw. Rounds of matching and Gauss-Newton
+/// steps under a robust kernel; in each round the sources are de-skewed with the motion found so far.
+/// Directions that nothing constrains keep the guess. [set-up] constructor; [estimate thread] align():
+/// real-time safe, deterministic.
 class TwoStepRegistration {
  public:
   TwoStepRegistration(const OdometryConfig& config, std::size_t max_sources);

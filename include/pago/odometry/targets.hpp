@@ -17,8 +17,8 @@ struct FeatureSet {
   PointCloud edges, ground, walls;
 };
 
-/// What a sweep is registered against: the last sweep's features, in the sensor frame at its reference instant.
-/// [set-up] constructor; [estimate thread] the rest: real-time safe, deterministic.
+/// What a sweep is registered against: the last sweep's features, in the sensor frame at its reference
+/// instant. [set-up] constructor; [estimate thread] the rest: real-time safe, deterministic.
 class Targets {
  public:
   Targets(const OdometryConfig& config, std::size_t max_points);

@@ -14,11 +14,11 @@ namespace pago::registration {
 /// What is fitted to the points of a cell.
 enum class CellShape : std::uint8_t { kPlane, kLine };
 
-/// The points of one cell as a Gaussian, and the plane or line through them where they form one. Coordinates are
-/// relative to the cell's centre, so that float is exact enough anywhere.
+/// The points of one cell as a Gaussian, and the plane or line through them where they form one. Coordinates
+/// are relative to the cell's centre, so that float is exact enough anywhere.
 struct alignas(64) Cell {
   Eigen::Vector3f mean_m = Eigen::Vector3f::Zero();
-  std::array<float, 6> scatter_m2{};  ///< sum of squared deviations: xx xy xz yy yz zz
+  std::array<float, 6> scatter_m2{};               ///< sum of squared deviations: xx xy xz yy yz zz
   Eigen::Vector3f axis = Eigen::Vector3f::Zero();  ///< the plane's unit normal, or the line's unit direction
   float thickness_m2 = 0.0F;  ///< variance of the points off the plane (along its normal) or line (across it)
   std::uint16_t count = 0;
@@ -34,15 +34,15 @@ struct CellMapOptions {
   /// Of a plane its least variance over the middle one, of a line the middle one over the greatest.
   double max_flatness = 0.1;
   double max_thickness_m = 0.2;  ///< deviation off the plane or line
-  /// Of a plane: deviation along its narrower side. The noise of ranges alone makes a narrow plane of one ring's
-  /// arc, and tilts it to the beams.
+  /// Of a plane: deviation along its narrower side. The noise of ranges alone makes a narrow plane of one
+  /// ring's arc, and tilts it to the beams.
   double min_width_m = 0.1;
 };
 
-/// A map of Gaussian cells: a voxel hash with open addressing in memory that is allocated once. Cells of ground
-/// and of other points stand side by side. How points are spread over a cell is updated with every point, and
-/// its shape when it is next asked for, so nothing is ever rebuilt. [set-up] constructor; [one thread] the rest:
-/// real-time safe, deterministic.
+/// A map of Gaussian cells: a voxel hash with open addressing in memory that is allocated once. Cells of
+/// ground and of other points stand side by side. How points are spread over a cell is updated with every
+/// point, and its shape when it is next asked for, so nothing is ever rebuilt. [set-up] constructor; [one
+/// thread] the rest: real-time safe, deterministic.
 class CellMap {
  public:
   /// Room for `max_cells`; points that would need more are left out and counted.
@@ -59,8 +59,8 @@ class CellMap {
                          std::uint8_t surface,
                          Eigen::Vector3f& offset_m) noexcept;
 
-  /// Removes cells farther than `radius_m` from `centre_m` (seen from above) among the next `num_slots` of the
-  /// table: called with every sweep, it goes round and round, and no sweep pays for all.
+  /// Removes cells farther than `radius_m` from `centre_m` (seen from above) among the next `num_slots` of
+  /// the table: called with every sweep, it goes round and round, and no sweep pays for all.
   void prune(const Eigen::Vector3d& centre_m, double radius_m, std::uint32_t num_slots) noexcept;
 
   std::uint32_t size() const noexcept { return size_; }

@@ -22,7 +22,10 @@ using Rows = FixedVector<Row>;
 
 /// The row of a point `p` (sensor frame) that should lie on a plane with unit normal `n` (sensor frame):
 /// d/dd n . T exp(d) p = (n, p x n).
-inline Row plane_row(const Eigen::Vector3f& p, const Eigen::Vector3f& n, float residual_m, float variance_m2) noexcept {
+inline Row plane_row(const Eigen::Vector3f& p,
+                     const Eigen::Vector3f& n,
+                     float residual_m,
+                     float variance_m2) noexcept {
   Row row;
   row.J << n, p.cross(n);
   row.residual_m = residual_m, row.variance_m2 = variance_m2;
@@ -48,13 +51,15 @@ struct WeakDirections {
   /// Bit i: the i-th of x y z roll pitch yaw lies mostly in them.
   std::uint8_t axes = 0;
 
-  Matrix6d without(const Matrix6d& information) const noexcept { return strong.transpose() * information * strong; }
+  Matrix6d without(const Matrix6d& information) const noexcept {
+    return strong.transpose() * information * strong;
+  }
 };
 
-/// Looks at each principal direction of the information: how many inliers' worth of rows speak for it clearly?
-/// A row counts with the square of its cosine to the direction, and not at all when that is below a quarter:
-/// noise in the normals gives every direction some information, as the walls of a smooth tunnel do along it.
-/// (After X-ICP: Tuna et al. 2022; rotations are made comparable by a lever arm of 10 m.)
+/// Looks at each principal direction of the information: how many inliers' worth of rows speak for it
+/// clearly? A row counts with the square of its cosine to the direction, and not at all when that is below a
+/// quarter: noise in the normals gives every direction some information, as the walls of a smooth tunnel do
+/// along it. (After X-ICP: Tuna et al. 2022; rotations are made comparable by a lever arm of 10 m.)
 WeakDirections find_weak_directions(const Matrix6d& information,
                                     std::span<const Row> rows,
                                     double min_contribution) noexcept;
