@@ -28,6 +28,17 @@ constexpr double seconds(std::int64_t ns) {
   return static_cast<double>(ns) * 1e-9;
 }
 
+void load_points(const Sweep& sweep, const FixedVector<std::uint32_t>& list, PointCloud& out) noexcept {
+  const std::int64_t reference_ns = sweep.motion.reference_ns - sweep.header.start_ns;
+  out.size = 0;
+  for (const std::uint32_t i : list) {
+    const float before_s = sweep.motion.is_compensated
+                               ? 0.0F
+                               : static_cast<float>(reference_ns - sweep.time_offset_ns[i]) * 1e-9F;
+    out.add({sweep.x_m[i], sweep.y_m[i], sweep.z_m[i]}, before_s, sweep.ground[i]);
+  }
+}
+
 bool is_usable(HealthReason reason) noexcept {
   return reason == HealthReason::kNone || reason == HealthReason::kNotObservable;
 }
@@ -41,7 +52,8 @@ MappingStage::MappingStage(const MappingConfig& config)
       start_(config),
       trust_(config),
       key_points_(kMaxKeyPoints),
-      map_points_(kMaxMapPoints) {}
+      map_points_(kMaxMapPoints),
+      dense_(kMaxDensePoints) {}
 
 void MappingStage::finish(Sweep& sweep) noexcept {
   is_inserted_ = false;
@@ -50,7 +62,7 @@ void MappingStage::finish(Sweep& sweep) noexcept {
   if (phase_ == Phase::kSearching && sweep.motion.period_s > kGap_s) phase_ = Phase::kEmpty;
   switch (phase_) {
     case Phase::kEmpty:
-      start(sweep.motion, sweep.estimate);
+      start(sweep);
       break;
     case Phase::kSearching:
       search(sweep.motion, sweep.estimate);
@@ -82,23 +94,16 @@ void MappingStage::update(Sweep&) noexcept {
 }
 
 void MappingStage::load(const Sweep& sweep) noexcept {
-  const std::int64_t reference_ns = sweep.motion.reference_ns - sweep.header.start_ns;
-  const auto copy = [&](const FixedVector<std::uint32_t>& list, PointCloud& out) {
-    out.size = 0;
-    for (const std::uint32_t i : list) {
-      const float before_s = sweep.motion.is_compensated
-                                 ? 0.0F
-                                 : static_cast<float>(reference_ns - sweep.time_offset_ns[i]) * 1e-9F;
-      out.add({sweep.x_m[i], sweep.y_m[i], sweep.z_m[i]}, before_s, sweep.ground[i]);
-    }
-  };
-  copy(sweep.features.key_points, key_points_);
-  copy(sweep.features.map_points, map_points_);
+  load_points(sweep, sweep.features.key_points, key_points_);
+  load_points(sweep, sweep.features.map_points, map_points_);
 }
 
-void MappingStage::start(const ScanMotion& motion, Estimate& estimate) noexcept {
+void MappingStage::start(Sweep& sweep) noexcept {
+  const ScanMotion& motion = sweep.motion;
+  Estimate& estimate = sweep.estimate;
   if (!refined_.is_placed) first_reference_ns_ = motion.reference_ns, first_reported_ns_ = motion.reported_ns;
-  start_.begin(map_points_, motion.is_compensated);
+  load_points(sweep, sweep.features.dense, dense_);
+  start_.begin(dense_, map_points_, motion.is_compensated);
   T_map_start_ = T_map_reference_;
   phase_ = Phase::kSearching;
   twist_.setZero();
@@ -124,6 +129,7 @@ void MappingStage::search(const ScanMotion& motion, Estimate& estimate) noexcept
     estimate.reason = HealthReason::kMotionUnknown;
     return;
   }
+  start_.settle();
   start_.hand_over(T_map_start_, map_);
   trust_.accept(result);
   phase_ = Phase::kTracking;
@@ -267,9 +273,11 @@ void MappingStage::state(const ScanMotion& motion,
 }
 
 void MappingStage::report(const ScanMotion& motion, Estimate& estimate) noexcept {
-  // Until it is known how the sensor moved at the start, the first pose cannot be placed.
+  // The very first pose was reported as the identity. Where that lies in the map is known once it is known
+  // how the sensor moved then.
   if (!is_placed_) {
-    T_odom_map_ = exp_se3(twist_ * seconds(first_reference_ns_ - first_reported_ns_));
+    const double reported_s = seconds(first_reported_ns_ - first_reference_ns_);
+    T_odom_map_ = (start_.T_start_first() * exp_se3(reported_s * start_.first_twist())).inverse();
     is_placed_ = refined_.has_motion && phase_ == Phase::kTracking;
   }
   refined_.is_placed = true;

@@ -42,6 +42,13 @@ std::vector<Vector6d> seeds_of(const StartConfig& c) {
   return seeds;
 }
 
+/// All points of the few sweeps count.
+registration::CellMapOptions cells_of(const MappingConfig& config) noexcept {
+  registration::CellMapOptions options = options_of(config.cells);
+  options.max_points = 10'000;
+  return options;
+}
+
 /// Where nothing else tells motions apart, the sensor stands.
 double score_of(const JointResult& result, const Vector6d& twist) noexcept {
   constexpr double kPerSpeed_s_m = 0.0005;
@@ -54,14 +61,16 @@ StartSearch::StartSearch(const MappingConfig& config)
     : config_(config),
       seeds_(seeds_of(config.start)),
       registration_(config, kMaxKeyPoints),
-      scratch_(options_of(config.cells), kCells) {
+      first_dense_(kMaxDensePoints),
+      scratch_(cells_of(config), kCells) {
   for (int i = 0; i < kMostSweeps; ++i) sweeps_.emplace_back(kMaxMapPoints);
-  for (std::size_t h = 0; h < kMostHypotheses; ++h) maps_.emplace_back(options_of(config.cells), kCells);
+  for (std::size_t h = 0; h < kMostHypotheses; ++h) maps_.emplace_back(cells_of(config), kCells);
 }
 
-void StartSearch::begin(const PointCloud& map_points, bool is_compensated) noexcept {
+void StartSearch::begin(const PointCloud& dense, const PointCloud& map_points, bool is_compensated) noexcept {
   is_compensated_ = is_compensated;
   num_sweeps_ = 1;
+  copy(dense, first_dense_);
   copy(map_points, sweeps_[0]);
   num_paths_ = 1;
   paths_[0] = {};
@@ -71,6 +80,7 @@ void StartSearch::begin(const PointCloud& map_points, bool is_compensated) noexc
 
 void StartSearch::add(const PointCloud& map_points, const PointCloud& key_points, double period_s) noexcept {
   copy(map_points, sweeps_[static_cast<std::size_t>(num_sweeps_)]);
+  period_s_[static_cast<std::size_t>(num_sweeps_)] = period_s;
   ++num_sweeps_;
   if (num_sweeps_ == 2) {
     sow(key_points, period_s);
@@ -98,6 +108,31 @@ const JointResult& StartSearch::result() const noexcept {
   return paths_[0].last;
 }
 
+void StartSearch::settle() noexcept {
+  constexpr int kPasses = 2;
+  constexpr std::size_t kPoints = 2000;
+  Path& path = paths_[0];
+  scratch_.clear();
+  for (int i = 1; i < num_sweeps_; ++i) {
+    const auto at = static_cast<std::size_t>(i);
+    insert(i, path.T_start_sweep[at], path.twist[at], scratch_);
+  }
+  for (int pass = 0; pass < kPasses; ++pass) {
+    MotionGuess guess;
+    guess.T_map_last = path.T_start_sweep[0];
+    guess.period_s = is_compensated_ ? 0.0 : period_s_[1];
+    guess.twist = path.twist[0];
+    const JointResult result = registration_.align(
+        scratch_, sweeps_[0], guess,
+        {config_.gate_m, config_.kernel_min_m, config_.max_iterations, 1 + sweeps_[0].size / kPoints, false});
+    path.T_start_sweep[0] = guess.T_map_last * result.T_last_this;
+    path.twist[1] = log_se3(path.T_start_sweep[0].inverse() * path.T_start_sweep[1]) / period_s_[1];
+    path.twist[0] = path.twist[1];
+    // Between the middles of two sweeps each: half a period back from the first of them.
+    if (num_sweeps_ > 2) path.twist[0] += 0.5 * (path.twist[1] - path.twist[2]);
+  }
+}
+
 void StartSearch::hand_over(const Eigen::Isometry3d& T_map_start, CellMap& map) const noexcept {
   for (int i = 0; i < num_sweeps_; ++i) {
     const auto at = static_cast<std::size_t>(i);
@@ -117,7 +152,7 @@ void StartSearch::sow(const PointCloud& key_points, double period_s) noexcept {
       Vector6d straight = Vector6d::Zero();
       straight[0] = mapped_m_s = seed[0];
       scratch_.clear();
-      insert(0, Eigen::Isometry3d::Identity(), straight, scratch_);
+      insert_first(straight, scratch_);
     }
     guess.T_last_this = exp_se3(seed * period_s);
     keep(registration_.align(
@@ -128,7 +163,7 @@ void StartSearch::sow(const PointCloud& key_points, double period_s) noexcept {
   for (std::size_t h = 0; h < num_paths_; ++h) {
     map_of_[h] = h;
     maps_[h].clear();
-    insert(0, paths_[h].T_start_sweep[0], paths_[h].twist[0], maps_[h]);
+    insert_first(paths_[h].twist[0], maps_[h]);
   }
 }
 
@@ -162,6 +197,10 @@ void StartSearch::advance(std::size_t h, const PointCloud& key_points, double pe
   path.score += score_of(path.last, path.twist[last]);
   path.T_start_sweep[last + 1] = guess.T_map_last * path.last.T_last_this;
   path.twist[last + 1] = log_se3(path.last.T_last_this) / period_s;
+}
+
+void StartSearch::insert_first(const Vector6d& twist, CellMap& map) const noexcept {
+  insert_points(first_dense_, is_compensated_ ? Vector6d::Zero() : twist, Eigen::Isometry3d::Identity(), map);
 }
 
 void StartSearch::insert(int sweep,

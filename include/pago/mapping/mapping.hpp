@@ -39,7 +39,7 @@ class MappingStage {
   enum class Phase { kEmpty, kSearching, kTracking };
 
   void load(const Sweep& sweep) noexcept;
-  void start(const ScanMotion& motion, Estimate& estimate) noexcept;
+  void start(Sweep& sweep) noexcept;
   void search(const ScanMotion& motion, Estimate& estimate) noexcept;
   void track(const ScanMotion& motion, Sweep& sweep) noexcept;
   MotionGuess guess_of(const ScanMotion& motion) const noexcept;
@@ -63,7 +63,7 @@ class MappingStage {
   StartSearch start_;
   Trust trust_;
   Standstill standstill_;
-  registration::PointCloud key_points_, map_points_;
+  registration::PointCloud key_points_, map_points_, dense_;
 
   Phase phase_ = Phase::kEmpty;
   std::int64_t first_reference_ns_ = 0, first_reported_ns_ = 0;

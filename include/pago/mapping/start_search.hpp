@@ -14,14 +14,16 @@ namespace pago::mapping {
 /// the traffic that drives along fit zero motion (seen on motorways: spec/odometry-prototype.md section 6).
 /// So several motions are carried on, each with a small map of its own, until one explains the sweeps best.
 ///
-/// [set-up] constructor: about 6 MB and 2 MB per hypothesis; [estimate thread] the rest: real-time safe,
-/// deterministic.
+/// [set-up] constructor: about 8 MB and 2 MB per hypothesis; [estimate thread] the rest: real-time safe,
+/// deterministic; add() some 30 ms, as often as there are sweeps in the search.
 class StartSearch {
  public:
   explicit StartSearch(const MappingConfig& config);
 
-  /// The first sweep.
-  void begin(const registration::PointCloud& map_points, bool is_compensated) noexcept;
+  /// The first sweep. All of its `dense` points are needed for a first map: by itself no cell has many.
+  void begin(const registration::PointCloud& dense,
+             const registration::PointCloud& map_points,
+             bool is_compensated) noexcept;
 
   /// The next one, `period_s` (> 0) after the last by their reference instants.
   void add(const registration::PointCloud& map_points,
@@ -36,6 +38,13 @@ class StartSearch {
   const Vector6d& twist() const noexcept;                  ///< per second, over the last period
   const JointResult& result() const noexcept;              ///< of the last sweep
   int num_sweeps() const noexcept { return num_sweeps_; }
+
+  /// Registers the first sweep against all that came after it: so far it was only registered against.
+  void settle() noexcept;
+  /// The first sweep's pose in the frame of the others (after settle() no longer quite the identity), and the
+  /// velocity in it.
+  const Eigen::Isometry3d& T_start_first() const noexcept { return paths_[0].T_start_sweep[0]; }
+  const Vector6d& first_twist() const noexcept { return paths_[0].twist[0]; }
 
   /// Puts all sweeps into `map`, as the best hypothesis places them; `T_map_start` is the first one's pose.
   void hand_over(const Eigen::Isometry3d& T_map_start, registration::CellMap& map) const noexcept;
@@ -56,6 +65,7 @@ class StartSearch {
   void sow(const registration::PointCloud& key_points, double period_s) noexcept;
   void keep(const JointResult& result, double period_s) noexcept;
   void advance(std::size_t h, const registration::PointCloud& key_points, double period_s) noexcept;
+  void insert_first(const Vector6d& twist, registration::CellMap& map) const noexcept;
   void insert(int sweep,
               const Eigen::Isometry3d& T,
               const Vector6d& twist,
@@ -66,7 +76,9 @@ class StartSearch {
   MappingConfig config_;
   std::vector<Vector6d> seeds_;  // per second
   JointRegistration registration_;
+  registration::PointCloud first_dense_;
   std::vector<registration::PointCloud> sweeps_;
+  std::array<double, kMostSweeps> period_s_{};  // since the sweep before
   registration::CellMap scratch_;
   std::vector<registration::CellMap> maps_;  // maps_[map_of_[h]] belongs to paths_[h]
   std::array<Path, kMostHypotheses> paths_;  // best first
