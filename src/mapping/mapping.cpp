@@ -96,14 +96,14 @@ void MappingStage::update(Sweep&) noexcept {
 void MappingStage::load(const Sweep& sweep) noexcept {
   load_points(sweep, sweep.features.key_points, key_points_);
   load_points(sweep, sweep.features.map_points, map_points_);
+  if (phase_ != Phase::kTracking) load_points(sweep, sweep.features.dense, dense_);
 }
 
 void MappingStage::start(Sweep& sweep) noexcept {
   const ScanMotion& motion = sweep.motion;
   Estimate& estimate = sweep.estimate;
   if (!refined_.is_placed) first_reference_ns_ = motion.reference_ns, first_reported_ns_ = motion.reported_ns;
-  load_points(sweep, sweep.features.dense, dense_);
-  start_.begin(dense_, map_points_, motion.is_compensated);
+  start_.begin({dense_, map_points_, key_points_}, motion.is_compensated);
   T_map_start_ = T_map_reference_;
   phase_ = Phase::kSearching;
   twist_.setZero();
@@ -117,7 +117,7 @@ void MappingStage::start(Sweep& sweep) noexcept {
 }
 
 void MappingStage::search(const ScanMotion& motion, Estimate& estimate) noexcept {
-  start_.add(map_points_, key_points_, motion.period_s);
+  start_.add({dense_, map_points_, key_points_}, motion.period_s);
   T_map_reference_ = T_map_start_ * start_.T_start_last();
   twist_ = start_.twist();
   const JointResult& result = start_.result();

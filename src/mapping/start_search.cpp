@@ -18,9 +18,10 @@ using registration::PointCloud;
 namespace {
 
 /// A few sweeps' cells.
-constexpr std::uint32_t kCells = 20'000;
+constexpr std::uint32_t kCells = 40'000;
 /// Seeds are tried on a part of the key points: there are many seeds, and they need only fall into a hollow.
 constexpr std::size_t kSeedStride = 3;
+constexpr int kSeedIterations = 6;
 constexpr double kNoSpeed = 1e9, kNoScore = -1e9;
 
 /// Motions that a road vehicle may be found in. Fast ones turn little.
@@ -57,113 +58,85 @@ double score_of(const JointResult& result, const Vector6d& twist) noexcept {
 
 }  // namespace
 
+StartSearch::StoredSweep::StoredSweep() : dense(kMaxDensePoints), map(kMaxMapPoints), key(kMaxKeyPoints) {}
+
 StartSearch::StartSearch(const MappingConfig& config)
     : config_(config),
       seeds_(seeds_of(config.start)),
       registration_(config, kMaxKeyPoints),
-      first_dense_(kMaxDensePoints),
+      sweeps_(kMostSweeps),
       scratch_(cells_of(config), kCells) {
-  for (int i = 0; i < kMostSweeps; ++i) sweeps_.emplace_back(kMaxMapPoints);
   for (std::size_t h = 0; h < kMostHypotheses; ++h) maps_.emplace_back(cells_of(config), kCells);
 }
 
-void StartSearch::begin(const PointCloud& dense, const PointCloud& map_points, bool is_compensated) noexcept {
+void StartSearch::begin(const Points& points, bool is_compensated) noexcept {
   is_compensated_ = is_compensated;
-  num_sweeps_ = 1;
-  copy(dense, first_dense_);
-  copy(map_points, sweeps_[0]);
+  num_sweeps_ = 0;
+  store(points, 0.0);
   num_paths_ = 1;
   paths_[0] = {};
   paths_[0].T_start_sweep[0].setIdentity();
   paths_[0].twist[0].setZero();
 }
 
-void StartSearch::add(const PointCloud& map_points, const PointCloud& key_points, double period_s) noexcept {
-  copy(map_points, sweeps_[static_cast<std::size_t>(num_sweeps_)]);
-  period_s_[static_cast<std::size_t>(num_sweeps_)] = period_s;
-  ++num_sweeps_;
-  if (num_sweeps_ == 2) {
-    sow(key_points, period_s);
-  } else {
-    for (std::size_t h = 0; h < num_paths_; ++h) advance(h, key_points, period_s);
-  }
+void StartSearch::add(const Points& points, double period_s) noexcept {
+  store(points, period_s);
+  if (num_sweeps_ == 2) sow();
+  for (std::size_t h = 0; h < num_paths_; ++h) advance(paths_[h], maps_[map_of_[h]]);
   rank();
-  for (std::size_t h = 0; h < num_paths_; ++h) {
-    const auto last = static_cast<std::size_t>(num_sweeps_ - 1);
-    insert(num_sweeps_ - 1, paths_[h].T_start_sweep[last], paths_[h].twist[last], maps_[map_of_[h]]);
-  }
+  for (std::size_t h = 0; h < num_paths_; ++h) insert(paths_[h], last(), maps_[map_of_[h]]);
+}
+
+void StartSearch::store(const Points& points, double period_s) noexcept {
+  StoredSweep& sweep = sweeps_[static_cast<std::size_t>(num_sweeps_++)];
+  copy(points.dense, sweep.dense);
+  copy(points.map, sweep.map);
+  copy(points.key, sweep.key);
+  sweep.period_s = period_s;
 }
 
 bool StartSearch::is_decided() const noexcept {
-  return num_sweeps_ >= 2 && (num_paths_ == 1 || num_sweeps_ == kMostSweeps);
+  return num_sweeps_ >= kLeastSweeps && (num_paths_ == 1 || num_sweeps_ == kMostSweeps);
 }
 
 const Eigen::Isometry3d& StartSearch::T_start_last() const noexcept {
-  return paths_[0].T_start_sweep[static_cast<std::size_t>(num_sweeps_ - 1)];
+  return paths_[0].T_start_sweep[last()];
 }
 const Vector6d& StartSearch::twist() const noexcept {
-  return paths_[0].twist[static_cast<std::size_t>(num_sweeps_ - 1)];
+  return paths_[0].twist[last()];
 }
 const JointResult& StartSearch::result() const noexcept {
   return paths_[0].last;
 }
 
-void StartSearch::settle() noexcept {
-  constexpr int kPasses = 2;
-  constexpr std::size_t kPoints = 2000;
-  Path& path = paths_[0];
-  scratch_.clear();
-  for (int i = 1; i < num_sweeps_; ++i) {
-    const auto at = static_cast<std::size_t>(i);
-    insert(i, path.T_start_sweep[at], path.twist[at], scratch_);
-  }
-  for (int pass = 0; pass < kPasses; ++pass) {
-    MotionGuess guess;
-    guess.T_map_last = path.T_start_sweep[0];
-    guess.period_s = is_compensated_ ? 0.0 : period_s_[1];
-    guess.twist = path.twist[0];
-    const JointResult result = registration_.align(
-        scratch_, sweeps_[0], guess,
-        {config_.gate_m, config_.kernel_min_m, config_.max_iterations, 1 + sweeps_[0].size / kPoints, false});
-    path.T_start_sweep[0] = guess.T_map_last * result.T_last_this;
-    path.twist[1] = log_se3(path.T_start_sweep[0].inverse() * path.T_start_sweep[1]) / period_s_[1];
-    path.twist[0] = path.twist[1];
-    // Between the middles of two sweeps each: half a period back from the first of them.
-    if (num_sweeps_ > 2) path.twist[0] += 0.5 * (path.twist[1] - path.twist[2]);
-  }
-}
-
-void StartSearch::hand_over(const Eigen::Isometry3d& T_map_start, CellMap& map) const noexcept {
-  for (int i = 0; i < num_sweeps_; ++i) {
-    const auto at = static_cast<std::size_t>(i);
-    insert(i, T_map_start * paths_[0].T_start_sweep[at], paths_[0].twist[at], map);
-  }
-}
-
 // The first sweep is distorted by the motion that is sought, so it is de-skewed by each speed tried. Turns
-// are tried against the same map: at the rates of vehicles their distortion is below a cell.
-void StartSearch::sow(const PointCloud& key_points, double period_s) noexcept {
+// are tried against the same map: at the rates of vehicles their distortion is below a cell. What is found is
+// only a start value.
+void StartSearch::sow() noexcept {
+  const double period_s = sweeps_[1].period_s;
   num_paths_ = 0;
   MotionGuess guess;
   guess.period_s = is_compensated_ ? 0.0 : period_s;
   double mapped_m_s = kNoSpeed;
   for (const Vector6d& seed : seeds_) {
     if (seed[0] != mapped_m_s) {
-      Vector6d straight = Vector6d::Zero();
-      straight[0] = mapped_m_s = seed[0];
+      Path straight;
+      straight.T_start_sweep[0].setIdentity();
+      straight.twist[0].setZero();
+      straight.twist[0][0] = mapped_m_s = seed[0];
       scratch_.clear();
-      insert_first(straight, scratch_);
+      insert(straight, 0, scratch_);
     }
     guess.T_last_this = exp_se3(seed * period_s);
-    keep(registration_.align(
-             scratch_, key_points, guess,
-             {config_.gate_m, config_.kernel_min_m, config_.max_iterations, kSeedStride, false}),
+    keep(registration_.align(scratch_, sweeps_[1].key, guess,
+                             {config_.gate_m, config_.kernel_min_m, kSeedIterations, kSeedStride, false}),
          period_s);
   }
   for (std::size_t h = 0; h < num_paths_; ++h) {
     map_of_[h] = h;
     maps_[h].clear();
-    insert_first(paths_[h].twist[0], maps_[h]);
+    insert(paths_[h], 0, maps_[h]);
+    paths_[h].score = 0.0;  // counted when it is registered with all points
   }
 }
 
@@ -185,29 +158,51 @@ void StartSearch::keep(const JointResult& result, double period_s) noexcept {
   for (; at > 0 && paths_[at].score > paths_[at - 1].score; --at) std::swap(paths_[at], paths_[at - 1]);
 }
 
-void StartSearch::advance(std::size_t h, const PointCloud& key_points, double period_s) noexcept {
-  Path& path = paths_[h];
-  const auto last = static_cast<std::size_t>(num_sweeps_ - 2);
+void StartSearch::advance(Path& path, CellMap& map) noexcept {
+  const double period_s = sweeps_[last()].period_s;
   MotionGuess guess;
-  guess.T_map_last = path.T_start_sweep[last];
-  guess.T_last_this = exp_se3(path.twist[last] * period_s);
+  guess.T_map_last = path.T_start_sweep[last() - 1];
+  guess.T_last_this = exp_se3(path.twist[last() - 1] * period_s);
   guess.period_s = is_compensated_ ? 0.0 : period_s;
-  path.last = registration_.align(maps_[map_of_[h]], key_points, guess,
-                                  {config_.gate_m, config_.kernel_min_m, config_.max_iterations, 1, false});
-  path.score += score_of(path.last, path.twist[last]);
-  path.T_start_sweep[last + 1] = guess.T_map_last * path.last.T_last_this;
-  path.twist[last + 1] = log_se3(path.last.T_last_this) / period_s;
+  path.last = align(map, last(), guess);
+  path.T_start_sweep[last()] = guess.T_map_last * path.last.T_last_this;
+  path.twist[last()] = log_se3(path.last.T_last_this) / period_s;
+  path.score += score_of(path.last, path.twist[last()]);
 }
 
-void StartSearch::insert_first(const Vector6d& twist, CellMap& map) const noexcept {
-  insert_points(first_dense_, is_compensated_ ? Vector6d::Zero() : twist, Eigen::Isometry3d::Identity(), map);
+JointResult StartSearch::align(CellMap& map, std::size_t sweep, const MotionGuess& guess) noexcept {
+  return registration_.align(map, sweeps_[sweep].key, guess,
+                             {config_.gate_m, config_.kernel_min_m, config_.max_iterations, 1, false});
 }
 
-void StartSearch::insert(int sweep,
-                         const Eigen::Isometry3d& T,
-                         const Vector6d& twist,
-                         CellMap& map) const noexcept {
-  insert_points(sweeps_[static_cast<std::size_t>(sweep)], is_compensated_ ? Vector6d::Zero() : twist, T, map);
+void StartSearch::insert(const Path& path, std::size_t sweep, CellMap& map) const noexcept {
+  insert_points(sweeps_[sweep].dense, is_compensated_ ? Vector6d::Zero() : path.twist[sweep],
+                path.T_start_sweep[sweep], map);
+}
+
+void StartSearch::settle() noexcept {
+  constexpr int kPasses = 2;
+  Path& path = paths_[0];
+  scratch_.clear();
+  for (std::size_t i = 1; i <= last(); ++i) insert(path, i, scratch_);
+  for (int pass = 0; pass < kPasses; ++pass) {
+    MotionGuess guess;
+    guess.T_map_last = path.T_start_sweep[0];
+    guess.period_s = is_compensated_ ? 0.0 : sweeps_[1].period_s;
+    guess.twist = path.twist[0];
+    path.T_start_sweep[0] = guess.T_map_last * align(scratch_, 0, guess).T_last_this;
+    path.twist[1] = log_se3(path.T_start_sweep[0].inverse() * path.T_start_sweep[1]) / sweeps_[1].period_s;
+    // These are velocities between the middles of sweeps; the first sweep's own is half a period before.
+    path.twist[0] = path.twist[1];
+    if (num_sweeps_ > 2) path.twist[0] += 0.5 * (path.twist[1] - path.twist[2]);
+  }
+}
+
+void StartSearch::hand_over(const Eigen::Isometry3d& T_map_start, CellMap& map) const noexcept {
+  for (std::size_t i = 0; i <= last(); ++i) {
+    insert_points(sweeps_[i].map, is_compensated_ ? Vector6d::Zero() : paths_[0].twist[i],
+                  T_map_start * paths_[0].T_start_sweep[i], map);
+  }
 }
 
 // Best first; gives up those that have come to agree with a better one, and those that fall behind: by less

@@ -14,21 +14,23 @@ namespace pago::mapping {
 /// the traffic that drives along fit zero motion (seen on motorways: spec/odometry-prototype.md section 6).
 /// So several motions are carried on, each with a small map of its own, until one explains the sweeps best.
 ///
-/// [set-up] constructor: about 8 MB and 2 MB per hypothesis; [estimate thread] the rest: real-time safe,
-/// deterministic; add() some 30 ms, as often as there are sweeps in the search.
+/// [set-up] constructor: about 20 MB and 2 MB per hypothesis; [estimate thread] the rest: real-time safe,
+/// deterministic; add() takes up to 60 ms the first time, then up to 30 ms.
 class StartSearch {
  public:
   explicit StartSearch(const MappingConfig& config);
 
-  /// The first sweep. All of its `dense` points are needed for a first map: by itself no cell has many.
-  void begin(const registration::PointCloud& dense,
-             const registration::PointCloud& map_points,
-             bool is_compensated) noexcept;
+  /// The points of a sweep. All the `dense` ones make the maps of the search: of few sweeps a cell has few
+  /// points.
+  struct Points {
+    const registration::PointCloud &dense, &map, &key;
+  };
+
+  /// The first sweep.
+  void begin(const Points& points, bool is_compensated) noexcept;
 
   /// The next one, `period_s` (> 0) after the last by their reference instants.
-  void add(const registration::PointCloud& map_points,
-           const registration::PointCloud& key_points,
-           double period_s) noexcept;
+  void add(const Points& points, double period_s) noexcept;
 
   /// One hypothesis is left, or none is going to be told from the others.
   bool is_decided() const noexcept;
@@ -50,9 +52,14 @@ class StartSearch {
   void hand_over(const Eigen::Isometry3d& T_map_start, registration::CellMap& map) const noexcept;
 
  private:
-  static constexpr int kMostSweeps = 8;
-  static constexpr std::size_t kMostHypotheses = 6, kMostSeeds = 24;
+  static constexpr int kLeastSweeps = 5, kMostSweeps = 8;
+  static constexpr std::size_t kMostHypotheses = 4;
 
+  struct StoredSweep {
+    StoredSweep();
+    registration::PointCloud dense, map, key;
+    double period_s = 0.0;  // since the sweep before
+  };
   struct Path {
     std::array<Eigen::Isometry3d, kMostSweeps> T_start_sweep;
     std::array<Vector6d, kMostSweeps> twist;
@@ -62,23 +69,20 @@ class StartSearch {
     double mean_score(int num_sweeps) const noexcept { return score / (num_sweeps - 1); }
   };
 
-  void sow(const registration::PointCloud& key_points, double period_s) noexcept;
+  std::size_t last() const noexcept { return static_cast<std::size_t>(num_sweeps_ - 1); }
+  void store(const Points& points, double period_s) noexcept;
+  void sow() noexcept;
   void keep(const JointResult& result, double period_s) noexcept;
-  void advance(std::size_t h, const registration::PointCloud& key_points, double period_s) noexcept;
-  void insert_first(const Vector6d& twist, registration::CellMap& map) const noexcept;
-  void insert(int sweep,
-              const Eigen::Isometry3d& T,
-              const Vector6d& twist,
-              registration::CellMap& map) const noexcept;
+  void advance(Path& path, registration::CellMap& map) noexcept;
+  JointResult align(registration::CellMap& map, std::size_t sweep, const MotionGuess& guess) noexcept;
+  void insert(const Path& path, std::size_t sweep, registration::CellMap& map) const noexcept;
   void rank() noexcept;
   bool agree(const Path& a, const Path& b) const noexcept;
 
   MappingConfig config_;
   std::vector<Vector6d> seeds_;  // per second
   JointRegistration registration_;
-  registration::PointCloud first_dense_;
-  std::vector<registration::PointCloud> sweeps_;
-  std::array<double, kMostSweeps> period_s_{};  // since the sweep before
+  std::vector<StoredSweep> sweeps_;
   registration::CellMap scratch_;
   std::vector<registration::CellMap> maps_;  // maps_[map_of_[h]] belongs to paths_[h]
   std::array<Path, kMostHypotheses> paths_;  // best first
