@@ -41,7 +41,7 @@ JointResult JointRegistration::align(CellMap& map,
                                      const Budget& budget) noexcept {
   JointResult result;
   result.offered = static_cast<std::uint32_t>((points.size + limits.stride - 1) / limits.stride);
-  result.T_last_this = guess.T_last_this;
+  result.T_last_this = limits.T_first.value_or(guess.T_last_this);
   while (true) {
     result.twist = twist_of(result.T_last_this, guess);
     match(map, points, guess.T_map_last * result.T_last_this, result.twist, limits);

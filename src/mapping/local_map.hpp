@@ -10,11 +10,12 @@ namespace pago::mapping {
 
 registration::CellMapOptions options_of(const CellsConfig& config) noexcept;
 
-/// Adds points, de-skewed by `twist`, seen from `T_map_sensor`. Real-time safe.
+/// Adds points, one of every `stride`, de-skewed by `twist`, seen from `T_map_sensor`. Real-time safe.
 void insert_points(const registration::PointCloud& points,
                    const Vector6d& twist,
                    const Eigen::Isometry3d& T_map_sensor,
-                   registration::CellMap& map) noexcept;
+                   registration::CellMap& map,
+                   std::size_t stride = 1) noexcept;
 
 /// As much as `to` holds.
 void copy(const registration::PointCloud& from, registration::PointCloud& to) noexcept;

@@ -43,6 +43,13 @@ bool is_usable(HealthReason reason) noexcept {
   return reason == HealthReason::kNone || reason == HealthReason::kNotObservable;
 }
 
+/// Whether a position is known to worse than half a centimetre in some direction, were errors independent.
+bool is_vague(const JointResult& result) noexcept {
+  constexpr double kVague_m = 0.005;
+  const Matrix6d information = result.information + 1e-6 * Matrix6d::Identity();
+  return inverse_of(information).diagonal().head<3>().maxCoeff() > kVague_m * kVague_m;
+}
+
 }  // namespace
 
 MappingStage::MappingStage(const MappingConfig& config)
@@ -82,14 +89,14 @@ void MappingStage::reset() noexcept {
   refined_ = {};
   T_odom_map_.setIdentity();
   T_map_reference_.setIdentity();
-  twist_.setZero();
+  refined_.twist.setZero(), refined_.acceleration.setZero();
   is_placed_ = false;
   predicted_in_a_row_ = unconfirmed_ = inserted_standing_ = 0;
 }
 
 void MappingStage::update(Sweep&) noexcept {
   if (!is_inserted_) return;
-  insert_points(map_points_, twist_, T_map_reference_, map_);
+  insert_points(map_points_, refined_.twist, T_map_reference_, map_);
   map_.prune(T_map_reference_.translation(), config_.cells.radius_m, map_.num_slots() / kPruningRound_sweeps);
 }
 
@@ -106,21 +113,21 @@ void MappingStage::start(Sweep& sweep) noexcept {
   start_.begin({dense_, map_points_, key_points_}, motion.is_compensated);
   T_map_start_ = T_map_reference_;
   phase_ = Phase::kSearching;
-  twist_.setZero();
+  refined_.twist.setZero(), refined_.acceleration.setZero();
   estimate.health = refined_.is_placed ? Health::kLost : Health::kInit;
   estimate.reason = refined_.is_placed ? HealthReason::kMapRestarted : HealthReason::kFirstSweep;
   estimate.covariance = inverse_of(registration::predicted_information(1.0, 0));
   if (config_.start.search) return;
-  insert_points(map_points_, twist_, T_map_reference_, map_);
+  insert_points(map_points_, refined_.twist, T_map_reference_, map_);
   phase_ = Phase::kTracking;
   refined_.has_motion = true;
 }
 
 void MappingStage::search(const ScanMotion& motion, Estimate& estimate) noexcept {
   start_.add({dense_, map_points_, key_points_}, motion.period_s);
-  T_map_reference_ = T_map_start_ * start_.T_start_last();
-  twist_ = start_.twist();
   const JointResult& result = start_.result();
+  const Eigen::Isometry3d T_map_measured = T_map_start_ * start_.T_start_last();
+  move_to(standstill_.update(T_map_measured, result.T_last_this, result.information), motion.period_s);
   MotionGuess guess;
   guess.period_s = motion.period_s;
   state(motion, guess, result, HealthReason::kNone, estimate);
@@ -146,7 +153,8 @@ void MappingStage::track(const ScanMotion& motion, Sweep& sweep) noexcept {
     return;
   }
   JointResult result = registration_.align(map_, key_points_, guess, trust_.limits(), *budget_);
-  HealthReason reason = trust_.judge(result, guess.T_last_this, twist_, motion.period_s);
+  if (is_vague(result) && !result.is_cut) result = look_closer(guess, result);
+  HealthReason reason = trust_.judge(result, guess.T_last_this, refined_.twist, motion.period_s);
   const bool is_astray =
       motion.is_time_lost || motion.period_s > kGap_s ||
       trust_.failures() % config_.trust.relocalise_after == config_.trust.relocalise_after - 1;
@@ -174,9 +182,20 @@ MotionGuess MappingStage::guess_of(const ScanMotion& motion) const noexcept {
     guess.T_last_this = motion.T_last_this;
     guess.information = config_.prior_weight * motion.information;
   } else {
-    guess.T_last_this = exp_se3(twist_ * std::min(motion.period_s, registration::kLongestPrediction_s));
+    guess.T_last_this =
+        exp_se3(refined_.twist * std::min(motion.period_s, registration::kLongestPrediction_s));
   }
   return guess;
+}
+
+// Where little is seen, more points of it are worth their time.
+JointResult MappingStage::look_closer(const MotionGuess& guess, const JointResult& result) noexcept {
+  constexpr int kMostIterations = 4;
+  JointLimits limits = trust_.limits();
+  limits.stride = 1 + map_points_.size / (kMaxKeyPoints + 1);
+  limits.T_first = result.T_last_this;
+  limits.max_iterations = std::min(limits.max_iterations, kMostIterations);
+  return registration_.align(map_, map_points_, guess, limits, *budget_);
 }
 
 // Where could it be, if the velocity has changed since the sweep before? Seeds along the way and to its
@@ -190,7 +209,7 @@ JointResult MappingStage::relocalise(const MotionGuess& guess) noexcept {
   const int steps = static_cast<int>(reach_m / kStep_m);
   MotionGuess seed = guess;
   seed.information.setZero();
-  seed.twist = twist_;
+  seed.twist = refined_.twist;
   JointResult best;
   for (const double turn_deg : kTurns_deg) {
     for (int step = -steps; step <= steps; ++step) {
@@ -219,8 +238,9 @@ void MappingStage::adopt(const ScanMotion& motion,
     standstill_.reset();
   }
   if (usable || motion.is_registered)
-    twist_ = log_se3(T_map_reference_.inverse() * T_map_this) / motion.period_s;
-  T_map_reference_ = orthonormalized(T_map_this);
+    move_to(T_map_this, motion.period_s);
+  else
+    T_map_reference_ = orthonormalized(T_map_this), refined_.acceleration.setZero();
   if (usable) {
     trust_.accept(result);
   } else {
@@ -230,6 +250,18 @@ void MappingStage::adopt(const ScanMotion& motion,
   unconfirmed_ = usable && result.weak.count == 0 ? 0 : unconfirmed_ + 1;
   inserted_standing_ = standstill_.is_standing() ? inserted_standing_ + 1 : 0;
   is_inserted_ = usable && inserted_standing_ <= kMostInsertedStanding;
+}
+
+// The acceleration is that of half a second or so: the difference of two velocities is mostly noise.
+void MappingStage::move_to(const Eigen::Isometry3d& T_map_this, double period_s) noexcept {
+  constexpr double kSmoothing = 0.2;
+  Vector6d twist = log_se3(T_map_reference_.inverse() * T_map_this) / period_s;
+  if (standstill_.is_still()) twist.setZero(), refined_.acceleration.setZero();
+  if (phase_ == Phase::kTracking)
+    refined_.acceleration += kSmoothing * ((twist - refined_.twist) / period_s - refined_.acceleration);
+  refined_.twist = twist;
+  refined_.period_s = std::min(period_s, kGap_s);
+  T_map_reference_ = orthonormalized(T_map_this);
 }
 
 // Nothing of the old map fits any more. Where scan-to-scan still tells the motion, the new one goes on from
@@ -277,14 +309,16 @@ void MappingStage::report(const ScanMotion& motion, Estimate& estimate) noexcept
   // how the sensor moved then.
   if (!is_placed_) {
     const double reported_s = seconds(first_reported_ns_ - first_reference_ns_);
-    T_odom_map_ = (start_.T_start_first() * exp_se3(reported_s * start_.first_twist())).inverse();
+    const Vector6d first_twist = standstill_.is_still() ? Vector6d::Zero() : start_.first_twist();
+    T_odom_map_ = (start_.T_start_first() * exp_se3(reported_s * first_twist)).inverse();
     is_placed_ = refined_.has_motion && phase_ == Phase::kTracking;
   }
   refined_.is_placed = true;
   refined_.T_odom_reference = T_odom_map_ * T_map_reference_;
-  refined_.twist = estimate.twist = twist_;
+  const double reported_s = seconds(motion.reported_ns - motion.reference_ns);
+  estimate.twist = refined_.twist_at(reported_s);
   estimate.T_odom_sensor_refined =
-      refined_.T_odom_reference * exp_se3(twist_ * seconds(motion.reported_ns - motion.reference_ns));
+      refined_.T_odom_reference * exp_se3(reported_s * refined_.twist_at(0.5 * reported_s));
 }
 
 }  // namespace pago::mapping

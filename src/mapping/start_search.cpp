@@ -19,9 +19,10 @@ namespace {
 
 /// A few sweeps' cells.
 constexpr std::uint32_t kCells = 40'000;
-/// Seeds are tried on a part of the key points: there are many seeds, and they need only fall into a hollow.
+/// Seeds are tried on a part of the points: there are many seeds, and they need only fall into a hollow.
 constexpr std::size_t kSeedStride = 3;
-constexpr int kSeedIterations = 6;
+constexpr std::size_t kSeedMapStride = 2;
+constexpr int kSeedIterations = 5;
 constexpr double kNoSpeed = 1e9, kNoScore = -1e9;
 
 /// Motions that a road vehicle may be found in. Fast ones turn little.
@@ -50,10 +51,13 @@ registration::CellMapOptions cells_of(const MappingConfig& config) noexcept {
   return options;
 }
 
-/// Where nothing else tells motions apart, the sensor stands.
+/// How well what is matched fits; and, less, how much is matched: a map that moves past the sensor fills,
+/// that of one that stands does not. Where nothing else tells motions apart, the sensor stands.
 double score_of(const JointResult& result, const Vector6d& twist) noexcept {
-  constexpr double kPerSpeed_s_m = 0.0005;
-  return result.score - kPerSpeed_s_m * twist.head<3>().norm();
+  constexpr double kCoverage = 0.1, kPerSpeed_s_m = 0.0005;
+  const double offered = std::max(1U, result.offered);
+  return result.score * offered / (result.matches + kCoverage * offered) -
+         kPerSpeed_s_m * twist.head<3>().norm();
 }
 
 }  // namespace
@@ -84,6 +88,7 @@ void StartSearch::add(const Points& points, double period_s) noexcept {
   if (num_sweeps_ == 2) sow();
   for (std::size_t h = 0; h < num_paths_; ++h) advance(paths_[h], maps_[map_of_[h]]);
   rank();
+  refine(paths_[0], maps_[map_of_[0]]);
   for (std::size_t h = 0; h < num_paths_; ++h) insert(paths_[h], last(), maps_[map_of_[h]]);
 }
 
@@ -120,12 +125,11 @@ void StartSearch::sow() noexcept {
   double mapped_m_s = kNoSpeed;
   for (const Vector6d& seed : seeds_) {
     if (seed[0] != mapped_m_s) {
-      Path straight;
-      straight.T_start_sweep[0].setIdentity();
-      straight.twist[0].setZero();
-      straight.twist[0][0] = mapped_m_s = seed[0];
+      Vector6d straight = Vector6d::Zero();
+      straight[0] = mapped_m_s = seed[0];
       scratch_.clear();
-      insert(straight, 0, scratch_);
+      insert_points(sweeps_[0].dense, is_compensated_ ? Vector6d::Zero() : straight,
+                    Eigen::Isometry3d::Identity(), scratch_, kSeedMapStride);
     }
     guess.T_last_this = exp_se3(seed * period_s);
     keep(registration_.align(scratch_, sweeps_[1].key, guess,
@@ -164,15 +168,36 @@ void StartSearch::advance(Path& path, CellMap& map) noexcept {
   guess.T_map_last = path.T_start_sweep[last() - 1];
   guess.T_last_this = exp_se3(path.twist[last() - 1] * period_s);
   guess.period_s = is_compensated_ ? 0.0 : period_s;
-  path.last = align(map, last(), guess);
-  path.T_start_sweep[last()] = guess.T_map_last * path.last.T_last_this;
-  path.twist[last()] = log_se3(path.last.T_last_this) / period_s;
+  adopt(path, align(map, sweeps_[last()].key, guess));
   path.score += score_of(path.last, path.twist[last()]);
 }
 
-JointResult StartSearch::align(CellMap& map, std::size_t sweep, const MotionGuess& guess) noexcept {
-  return registration_.align(map, sweeps_[sweep].key, guess,
-                             {config_.gate_m, config_.kernel_min_m, config_.max_iterations, 1, false});
+// What is reported is worth more points.
+void StartSearch::refine(Path& path, CellMap& map) noexcept {
+  MotionGuess guess;
+  guess.T_map_last = path.T_start_sweep[last() - 1];
+  guess.T_last_this = path.last.T_last_this;
+  guess.period_s = is_compensated_ ? 0.0 : sweeps_[last()].period_s;
+  adopt(path, align(map, sweeps_[last()].map, guess));
+}
+
+void StartSearch::adopt(Path& path, const JointResult& result) noexcept {
+  path.last = result;
+  path.T_start_sweep[last()] = path.T_start_sweep[last() - 1] * result.T_last_this;
+  path.twist[last()] = log_se3(result.T_last_this) / sweeps_[last()].period_s;
+  path.twist[0] = first_twist_of(path);
+}
+
+// Velocities are between the middles of sweeps; the first sweep's own is half a period before the first of
+// them.
+Vector6d StartSearch::first_twist_of(const Path& path) const noexcept {
+  return num_sweeps_ == 2 ? path.twist[1] : path.twist[1] + 0.5 * (path.twist[1] - path.twist[2]);
+}
+
+JointResult StartSearch::align(CellMap& map, const PointCloud& points, const MotionGuess& guess) noexcept {
+  const std::size_t stride = 1 + points.size / (kMaxKeyPoints + 1);
+  return registration_.align(map, points, guess,
+                             {config_.gate_m, config_.kernel_min_m, config_.max_iterations, stride, false});
 }
 
 void StartSearch::insert(const Path& path, std::size_t sweep, CellMap& map) const noexcept {
@@ -190,11 +215,9 @@ void StartSearch::settle() noexcept {
     guess.T_map_last = path.T_start_sweep[0];
     guess.period_s = is_compensated_ ? 0.0 : sweeps_[1].period_s;
     guess.twist = path.twist[0];
-    path.T_start_sweep[0] = guess.T_map_last * align(scratch_, 0, guess).T_last_this;
+    path.T_start_sweep[0] = guess.T_map_last * align(scratch_, sweeps_[0].map, guess).T_last_this;
     path.twist[1] = log_se3(path.T_start_sweep[0].inverse() * path.T_start_sweep[1]) / sweeps_[1].period_s;
-    // These are velocities between the middles of sweeps; the first sweep's own is half a period before.
-    path.twist[0] = path.twist[1];
-    if (num_sweeps_ > 2) path.twist[0] += 0.5 * (path.twist[1] - path.twist[2]);
+    path.twist[0] = first_twist_of(path);
   }
 }
 
@@ -214,7 +237,7 @@ void StartSearch::rank() noexcept {
       std::swap(map_of_[at], map_of_[at - 1]);
     }
   }
-  constexpr double kMargin = 0.3;
+  constexpr double kMargin = 0.15;
   const double least = paths_[0].mean_score(num_sweeps_) - kMargin / (num_sweeps_ - 1);
   std::size_t kept = 1;
   for (std::size_t h = 1; h < num_paths_; ++h) {

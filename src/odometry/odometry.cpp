@@ -177,9 +177,12 @@ void OdometryStage::report(Sweep& sweep) noexcept {
   Estimate& estimate = sweep.estimate;
   estimate.has_pose = true;
   estimate.stamp_ns = sweep.motion.reported_ns;
-  estimate.twist = twist_;
-  const Eigen::Isometry3d T_reference_reported =
-      exp_se3(twist_ * seconds(sweep.motion.reported_ns - sweep.motion.reference_ns));
+  // What the twist is at other instants than between the middles of sweeps, mapping knows best.
+  RefinedState carried = refined_;
+  carried.twist = twist_, carried.period_s = sweep.motion.period_s;
+  const double reported_s = seconds(sweep.motion.reported_ns - sweep.motion.reference_ns);
+  estimate.twist = carried.twist_at(reported_s);
+  const Eigen::Isometry3d T_reference_reported = exp_se3(reported_s * carried.twist_at(0.5 * reported_s));
   estimate.T_odom_sensor_front_end = T_odom_reference_ * T_reference_reported;
   estimate.T_odom_sensor_first = refined_.T_odom_reference * sweep.motion.T_last_this * T_reference_reported;
   estimate.T_odom_sensor_refined = estimate.T_odom_sensor_first;

@@ -103,13 +103,13 @@ TEST_CASE("the oldest points count, few make no plane, and rough ones neither", 
   REQUIRE(map.find_shape({5.5, 5.5, 5.5}, 0, offset) == nullptr);
 }
 
-TEST_CASE("far cells are given up over a round of calls, and near ones are all still found",
+TEST_CASE("far cells are given up over a number of calls, and near ones are all still found",
           "[registration][cells]") {
   CellMap map({}, 5000);
   for (int x = 0; x < 40; ++x)
     for (int y = 0; y < 40; ++y) map.insert({x + 0.5, y + 0.5, 0.5}, 0);
   REQUIRE(map.size() == 1600);
-  for (int round = 0; round < 17; ++round) map.prune({0.0, 0.0, 0.0}, 20.0, map.num_slots() / 16);
+  for (int call = 0; call < 32; ++call) map.prune({0.0, 0.0, 0.0}, 20.0, map.num_slots() / 16);
   std::uint32_t near = 0;
   for (int x = 0; x < 40; ++x)
     for (int y = 0; y < 40; ++y) near += x * x + y * y <= 400 ? 1U : 0U;

@@ -98,7 +98,14 @@ struct RefinedState {
   bool is_placed = false;                                              ///< the pose below is one
   bool has_motion = false;                                             ///< it is known how the sensor moves
   Eigen::Isometry3d T_odom_reference = Eigen::Isometry3d::Identity();  ///< at the reference instant
-  Vector6d twist = Vector6d::Zero();  ///< per second, sensor frame, over the last period
+  Vector6d twist = Vector6d::Zero();         ///< per second, sensor frame, mean over the last period
+  Vector6d acceleration = Vector6d::Zero();  ///< of that twist, smoothed
+  double period_s = 0.0;                     ///< the last one
+
+  /// The twist at an instant so long after the reference instant.
+  Vector6d twist_at(double after_s) const noexcept {
+    return twist + (0.5 * period_s + after_s) * acceleration;
+  }
 };
 
 /// One rotation of the sensor, the frame that travels through the pipeline. Preallocated, structure of

@@ -32,6 +32,8 @@ struct JointLimits {
   int max_iterations = 8;
   std::size_t stride = 1;  ///< of the points every so many
   bool keeps_weak = true;  ///< no step along directions that are not observable
+  /// Begin here instead of at the guess, which stays what the result is held against.
+  std::optional<Eigen::Isometry3d> T_first = std::nullopt;
 };
 
 struct JointResult {

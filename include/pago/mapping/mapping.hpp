@@ -43,11 +43,13 @@ class MappingStage {
   void search(const ScanMotion& motion, Estimate& estimate) noexcept;
   void track(const ScanMotion& motion, Sweep& sweep) noexcept;
   MotionGuess guess_of(const ScanMotion& motion) const noexcept;
+  JointResult look_closer(const MotionGuess& guess, const JointResult& result) noexcept;
   JointResult relocalise(const MotionGuess& guess) noexcept;
   void adopt(const ScanMotion& motion,
              const MotionGuess& guess,
              const JointResult& result,
              bool usable) noexcept;
+  void move_to(const Eigen::Isometry3d& T_map_this, double period_s) noexcept;
   void restart(const ScanMotion& motion, Estimate& estimate) noexcept;
   void state(const ScanMotion& motion,
              const MotionGuess& guess,
@@ -72,7 +74,6 @@ class MappingStage {
   Eigen::Isometry3d T_odom_map_ = Eigen::Isometry3d::Identity();
   Eigen::Isometry3d T_map_start_ = Eigen::Isometry3d::Identity();
   Eigen::Isometry3d T_map_reference_ = Eigen::Isometry3d::Identity();
-  Vector6d twist_ = Vector6d::Zero();  // per second, over the last period
   bool is_placed_ = false;
   int predicted_in_a_row_ = 0;  // neither the map nor the last sweep told the motion
   int unconfirmed_ = 0;         // sweeps in a row with a direction that nothing measured

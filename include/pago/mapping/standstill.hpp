@@ -21,6 +21,9 @@ class Standstill {
   /// Nothing was measured, or all is new.
   void reset() noexcept { num_still_ = 0; }
 
+  /// The last motion was none, as far as can be told.
+  bool is_still() const noexcept { return num_still_ > 0; }
+  /// And so were those before.
   bool is_standing() const noexcept { return num_still_ >= kLeastStill; }
 
  private:

@@ -74,7 +74,12 @@ class StartSearch {
   void sow() noexcept;
   void keep(const JointResult& result, double period_s) noexcept;
   void advance(Path& path, registration::CellMap& map) noexcept;
-  JointResult align(registration::CellMap& map, std::size_t sweep, const MotionGuess& guess) noexcept;
+  void refine(Path& path, registration::CellMap& map) noexcept;
+  void adopt(Path& path, const JointResult& result) noexcept;
+  JointResult align(registration::CellMap& map,
+                    const registration::PointCloud& points,
+                    const MotionGuess& guess) noexcept;
+  Vector6d first_twist_of(const Path& path) const noexcept;
   void insert(const Path& path, std::size_t sweep, registration::CellMap& map) const noexcept;
   void rank() noexcept;
   bool agree(const Path& a, const Path& b) const noexcept;
