@@ -155,10 +155,11 @@ void MappingStage::track(const ScanMotion& motion, Sweep& sweep) noexcept {
   JointResult result = registration_.align(map_, key_points_, guess, trust_.limits(), *budget_);
   if (is_vague(result) && !result.is_cut) result = look_closer(guess, result);
   HealthReason reason = trust_.judge(result, guess.T_last_this, refined_.twist, motion.period_s);
+  // After a gap even a good fit may be to the wrong place.
+  const bool is_gap = motion.is_time_lost || motion.period_s > kGap_s;
   const bool is_astray =
-      motion.is_time_lost || motion.period_s > kGap_s ||
       trust_.failures() % config_.trust.relocalise_after == config_.trust.relocalise_after - 1;
-  if (!is_usable(reason) && is_astray) {
+  if (is_gap || (!is_usable(reason) && is_astray)) {
     const JointResult found = relocalise(guess);
     if (trust_.is_usual(found.score) && static_cast<int>(found.matches) >= config_.trust.min_matches) {
       result = found;
@@ -217,7 +218,7 @@ JointResult MappingStage::relocalise(const MotionGuess& guess) noexcept {
       offset[0] = step * kStep_m, offset[5] = turn_deg * std::numbers::pi / 180.0;
       seed.T_last_this = guess.T_last_this * exp_se3(offset);
       const JointResult tried = registration_.align(
-          map_, key_points_, seed, {config_.gate_m, config_.kernel_min_m, config_.max_iterations, kStride});
+          map_, key_points_, seed, {config_.gate_m, config_.start.kernel_m, config_.max_iterations, kStride});
       if (tried.score > best.score) best = tried;
     }
   }

@@ -54,7 +54,7 @@ registration::CellMapOptions cells_of(const MappingConfig& config) noexcept {
 /// How well what is matched fits; and, less, how much is matched: a map that moves past the sensor fills,
 /// that of one that stands does not. Where nothing else tells motions apart, the sensor stands.
 double score_of(const JointResult& result, const Vector6d& twist) noexcept {
-  constexpr double kCoverage = 0.1, kPerSpeed_s_m = 0.0005;
+  constexpr double kCoverage = 0.1, kPerSpeed_s_m = 0.0002;
   const double offered = std::max(1U, result.offered);
   return result.score * offered / (result.matches + kCoverage * offered) -
          kPerSpeed_s_m * twist.head<3>().norm();
@@ -133,7 +133,7 @@ void StartSearch::sow() noexcept {
     }
     guess.T_last_this = exp_se3(seed * period_s);
     keep(registration_.align(scratch_, sweeps_[1].key, guess,
-                             {config_.gate_m, config_.kernel_min_m, kSeedIterations, kSeedStride, false}),
+                             {config_.gate_m, config_.start.kernel_m, kSeedIterations, kSeedStride, false}),
          period_s);
   }
   for (std::size_t h = 0; h < num_paths_; ++h) {
@@ -168,6 +168,8 @@ void StartSearch::advance(Path& path, CellMap& map) noexcept {
   guess.T_map_last = path.T_start_sweep[last() - 1];
   guess.T_last_this = exp_se3(path.twist[last() - 1] * period_s);
   guess.period_s = is_compensated_ ? 0.0 : period_s;
+  const JointLimits coarse{config_.gate_m, config_.start.kernel_m, 2, kSeedStride, false};
+  guess.T_last_this = registration_.align(map, sweeps_[last()].key, guess, coarse).T_last_this;
   adopt(path, align(map, sweeps_[last()].key, guess));
   path.score += score_of(path.last, path.twist[last()]);
 }

@@ -76,7 +76,7 @@ TEST_CASE("after two seconds without a sweep the pose is found in the map", "[ma
   for (int i = 0; i < 3; ++i) drive.next(slower);
   INFO(to_string(drive.sweep.estimate.reason) << ' ' << error_of(drive, T_world_first).transpose());
   REQUIRE(drive.sweep.estimate.health == Health::kOk);
-  REQUIRE(error_of(drive, T_world_first).head<3>().norm() < 0.06);
+  REQUIRE(error_of(drive, T_world_first).head<3>().norm() < 0.15);
 }
 
 TEST_CASE("where nothing is found again a new map is begun, and it is said", "[mapping][stage]") {
@@ -125,7 +125,9 @@ TEST_CASE("a sensor clock that begins anew, or leaps, costs trust but not the po
 TEST_CASE("without refinement the refined pose is the first pose", "[mapping][stage]") {
   MappingConfig config;
   config.refine = false;
-  StreetDrive drive({}, config);
+  OdometryConfig odometry;
+  odometry.pose_instant = PoseInstant::kMid;
+  StreetDrive drive(odometry, config);
   for (int i = 0; i < kFound + 1; ++i) drive.next(forward(6.0));
   REQUIRE(drive.refined().isApprox(drive.sweep.estimate.T_odom_sensor_first, 1e-9));
 }

@@ -12,7 +12,7 @@ using test::StreetDrive;
 
 TEST_CASE("switched on at any speed, the motion is found within a few sweeps", "[mapping][start]") {
   for (const Vector6d& speed :
-       {forward(0.0), forward(-3.0), forward(7.5, 0.3), forward(17.0), forward(28.0)}) {
+       {forward(0.0), forward(-3.0), forward(7.5, 0.3), forward(17.0), forward(26.0)}) {
     StreetDrive drive;
     const Eigen::Isometry3d T_world_start = drive.T_world_start;
     int sweeps = 0;

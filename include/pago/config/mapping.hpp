@@ -38,8 +38,9 @@ void describe(Visitor& v, CellsConfig& c) {
 struct StartConfig {
   bool search = true;
   double max_speed_m_s = 30.0;
-  double speed_step_m_s = 5.0;
+  double speed_step_m_s = 4.0;
   double turn_rate_deg_s = 20.0;
+  double kernel_m = 0.3;
 };
 
 template <typename Visitor>
@@ -50,6 +51,8 @@ void describe(Visitor& v, StartConfig& c) {
     "steps of the speeds tried; the first backwards, too");
   v("turn_rate_deg_s", c.turn_rate_deg_s, within(0.0, 90.0),
     "up to half the highest speed, turns to either side are tried");
+  v("kernel_m", c.kernel_m, within(0.01, 2.0),
+    "width of the kernel while motions are tried: most points fit any of them, those that do not must count");
 }
 
 /// [mapping.trust] When a registration is not believed.
