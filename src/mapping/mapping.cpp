@@ -113,6 +113,7 @@ void MappingStage::start(Sweep& sweep) noexcept {
   start_.begin({dense_, map_points_, key_points_}, motion.is_compensated);
   T_map_start_ = T_map_reference_;
   phase_ = Phase::kSearching;
+  since_searched_s_ = 0.0;
   refined_.twist.setZero(), refined_.acceleration.setZero();
   estimate.health = refined_.is_placed ? Health::kLost : Health::kInit;
   estimate.reason = refined_.is_placed ? HealthReason::kMapRestarted : HealthReason::kFirstSweep;
@@ -124,10 +125,18 @@ void MappingStage::start(Sweep& sweep) noexcept {
 }
 
 void MappingStage::search(const ScanMotion& motion, Estimate& estimate) noexcept {
-  start_.add({dense_, map_points_, key_points_}, motion.period_s);
+  estimate.health = Health::kInit;
+  since_searched_s_ += motion.period_s;
+  if (static_cast<int>(key_points_.size) < config_.trust.min_matches) {
+    T_map_reference_ = T_map_reference_ * exp_se3(refined_.twist * motion.period_s);
+    estimate.reason = HealthReason::kTooFewFeatures;
+    return;
+  }
+  start_.add({dense_, map_points_, key_points_}, since_searched_s_);
   const JointResult& result = start_.result();
   const Eigen::Isometry3d T_map_measured = T_map_start_ * start_.T_start_last();
-  move_to(standstill_.update(T_map_measured, result.T_last_this, result.information), motion.period_s);
+  move_to(standstill_.update(T_map_measured, result.T_last_this, result.information), since_searched_s_);
+  since_searched_s_ = 0.0;
   MotionGuess guess;
   guess.period_s = motion.period_s;
   state(motion, guess, result, HealthReason::kNone, estimate);

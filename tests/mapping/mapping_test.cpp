@@ -66,6 +66,21 @@ TEST_CASE("covered for a while, the pose goes on at constant velocity, says so, 
   REQUIRE(error_of(drive, T_world_first).head<3>().norm() < 0.05);
 }
 
+TEST_CASE("sweeps without anything to see do not take part in the start", "[mapping][stage]") {
+  StreetDrive drive;
+  const Vector6d speed = forward(9.0);
+  drive.next(speed);
+  const Eigen::Isometry3d T_world_first = drive.T_world_start;
+  for (int i = 0; i < 12 && drive.sweep.estimate.health == Health::kInit; ++i) {
+    drive.next(speed);
+    if (i > 2) continue;
+    REQUIRE(drive.next_blind(speed).health == Health::kInit);
+    REQUIRE(drive.sweep.estimate.reason == HealthReason::kTooFewFeatures);
+  }
+  REQUIRE(drive.sweep.estimate.health == Health::kOk);
+  REQUIRE(error_of(drive, T_world_first).head<3>().norm() < 0.06);
+}
+
 TEST_CASE("after two seconds without a sweep the pose is found in the map", "[mapping][stage]") {
   StreetDrive drive;
   const Vector6d speed = forward(15.0), slower = forward(12.0);

@@ -25,6 +25,8 @@ using namespace pago;
 namespace {
 
 constexpr std::int64_t kPeriod_ns = 100'000'000;
+/// After so many scans it is known how the sensor moves.
+constexpr int kFound = 8;
 
 /// A scan that owns its arrays.
 struct OwnedScan {
@@ -271,9 +273,9 @@ TEST_CASE("a scan that cannot be used is refused with a reason and leaves no tra
 TEST_CASE("scans without points are carried over by the motion so far", "[pipeline][library]") {
   Odometry odometry;
   Estimate last;
-  for (const OwnedScan& scan : street_drive(4)) last = odometry.process(scan.view());
+  for (const OwnedScan& scan : street_drive(kFound)) last = odometry.process(scan.view());
   OwnedScan empty;
-  empty.stamp_ns = 4 * kPeriod_ns;
+  empty.stamp_ns = kFound * kPeriod_ns;
   const Estimate carried = odometry.process(empty.view());
   CHECK(carried.has_pose);
   CHECK(carried.health == Health::kDegraded);
@@ -285,8 +287,8 @@ TEST_CASE("scans without points are carried over by the motion so far", "[pipeli
 TEST_CASE("a clock that begins anew costs trust but not the pose", "[pipeline][library]") {
   Odometry odometry;
   Estimate last;
-  for (const OwnedScan& scan : street_drive(3)) last = odometry.process(scan.view());
-  OwnedScan next = street_scan(3, drive_twist());
+  for (const OwnedScan& scan : street_drive(kFound)) last = odometry.process(scan.view());
+  OwnedScan next = street_scan(kFound, drive_twist());
   next.stamp_ns = 0;
   const Estimate after = odometry.process(next.view());
   CHECK(after.has_pose);
