@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "pago/core/error.hpp"
+#include "pago/ground/segmenter.hpp"
 #include "pago/hdl64/stream_probe.hpp"
 #include "pago/pcap/pcap_source.hpp"
 
@@ -68,9 +69,7 @@ OpenCapture open_capture(const fs::path& file, Config& config) {
   return open;
 }
 
-}  // namespace
-
-OpenSource open_source(const std::string& name, Config& config) {
+OpenSource open(const std::string& name, Config& config) {
   if (const auto file = after(name, "pcap")) return open_capture(*file, config);
   const auto folder = after(name, "kitti");
   std::error_code unknown;
@@ -78,6 +77,23 @@ OpenSource open_source(const std::string& name, Config& config) {
     return OpenFolder{std::make_unique<KittiSource>(folder.value_or(name), config.kitti)};
   }
   return open_capture(name, config);
+}
+
+}  // namespace
+
+void require_labels(const OpenSource& source, const std::string& name, const std::string& method) {
+  if (!ground::find_method(method).traits.needs_labels) return;
+  const std::string hint = "choose another method, or scans with SemanticKITTI's labels beside them";
+  const auto* folder = std::get_if<OpenFolder>(&source);
+  if (folder == nullptr) throw Error(name, "has no labels, which ground method '" + method + "' needs", hint);
+  const std::string scan = folder->sweeps->first_without_labels();
+  if (!scan.empty()) throw Error(scan, "has no labels, which ground method '" + method + "' needs", hint);
+}
+
+OpenSource open_source(const std::string& name, Config& config) {
+  OpenSource source = open(name, config);
+  require_labels(source, name, config.ground.method);
+  return source;
 }
 
 }  // namespace pago::app

@@ -26,7 +26,11 @@ using OpenSource = std::variant<OpenCapture, OpenFolder>;
 
 /// Opens what the user named: `drive.pcap`, `kitti:sequences/00`; the prefix may be left out, a folder is
 /// KITTI's and a file a capture. For a capture without a configured calibration the one that lies beside it
-/// is taken, and set in `config`, so that what was used is on record. Throws Error.
+/// is taken, and set in `config`, so that what was used is on record. Throws Error; also if the ground method
+/// of the configuration needs labels and the source has none.
 OpenSource open_source(const std::string& name, Config& config);
+
+/// Throws Error if this ground method needs labels and a sweep of the source will have none.
+void require_labels(const OpenSource& source, const std::string& name, const std::string& method);
 
 }  // namespace pago::app

@@ -7,6 +7,7 @@
 
 #include "pago/assembly/scan_organizer.hpp"
 #include "pago/config/load.hpp"
+#include "pago/core/error.hpp"
 #include "pago/features/features.hpp"
 #include "pago/ground/segmenter.hpp"
 #include "pago/odometry/odometry.hpp"
@@ -90,6 +91,9 @@ struct Odometry::Parts {
 
 Odometry::Odometry(const Config& config) {
   validate(config);
+  if (ground::find_method(config.ground.method).traits.needs_labels)
+    throw Error("ground.method", "'" + config.ground.method + "' needs labels, and scans have none",
+                "choose another method");
   parts_ = std::make_unique<Parts>(config, static_cast<std::uint32_t>(config.assembly.max_returns));
 }
 Odometry::~Odometry() = default;
