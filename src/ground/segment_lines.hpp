@@ -20,7 +20,8 @@ struct GroundLine {
   float from_m = 0.0F, until_m = 0.0F;  ///< ranges where it holds, with its reach beyond its ends
 
   bool holds(float range_m) const noexcept { return (from_m < range_m) & (range_m < until_m); }
-  float above(const RangeHeight& p) const noexcept { return p.z_m - (slope * p.range_m + base_m); }
+  float height_at(float range_m) const noexcept { return slope * range_m + base_m; }
+  float above(const RangeHeight& p) const noexcept { return p.z_m - height_at(p.range_m); }
 };
 
 /// Lines at most that `points` returns can make.
