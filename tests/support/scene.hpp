@@ -49,6 +49,12 @@ class Scene {
   }
   Scene& level_ground() { return ground(0.0); }
 
+  /// Makes every plane wavy: up and down by `height_m`, `length_m` from crest to crest along x and along y.
+  Scene& bumps(double height_m, double length_m) {
+    bumps_.push_back({height_m, 2.0 * std::numbers::pi / length_m});
+    return *this;
+  }
+
   /// Level up to x = start_m, then rising by `grade`, or falling.
   Scene& ramp(double grade, double start_m) {
     ground(0.0, 0.0, 0.0, -kEverywhere, start_m);
@@ -126,7 +132,7 @@ class Scene {
   Hit cast(const Eigen::Vector3d& origin, const Eigen::Vector3d& direction) const {
     Hit nearest;
     for (const Plane& plane : planes_) {
-      const double range_m = (plane.height_m - plane.normal.dot(origin)) / plane.normal.dot(direction);
+      const double range_m = meet(plane, origin, direction);
       const double x_m = origin.x() + range_m * direction.x();
       const bool is_there = x_m >= plane.from_x_m && x_m < plane.until_x_m;
       if (range_m > 0.0 && range_m < nearest.range_m && is_there) nearest = {range_m, kGround};
@@ -136,6 +142,30 @@ class Scene {
       if (range_m > 0.0 && range_m < nearest.range_m) nearest = {range_m, box.surface};
     }
     return nearest;
+  }
+
+  double bump(const Eigen::Vector3d& p) const {
+    double height_m = 0.0;
+    for (const Bump& b : bumps_)
+      height_m += b.height_m * std::sin(b.per_m * p.x()) * std::cos(b.per_m * p.y());
+    return height_m;
+  }
+
+  /// Range at which a ray meets a plane; with bumps, roughly where it first goes under the ground.
+  double meet(const Plane& plane, const Eigen::Vector3d& origin, const Eigen::Vector3d& direction) const {
+    const auto above_m = [&](double range_m) {
+      const Eigen::Vector3d p = origin + range_m * direction;
+      return plane.normal.dot(p) - plane.height_m - bump(p);
+    };
+    if (bumps_.empty()) return (plane.height_m - plane.normal.dot(origin)) / plane.normal.dot(direction);
+    double low = 0.0, high = 0.5;
+    while (above_m(high) > 0.0) {
+      low = high;
+      high += 0.02 * high + 0.1;
+      if (high > 200.0) return kEverywhere;
+    }
+    for (int i = 0; i < 30; ++i) (above_m(0.5 * (low + high)) > 0.0 ? low : high) = 0.5 * (low + high);
+    return high;
   }
 
   /// Range at which a ray enters a box, infinite if it misses.
@@ -149,6 +179,10 @@ class Scene {
     return first <= last ? first : std::numeric_limits<double>::infinity();
   }
 
+  struct Bump {
+    double height_m, per_m;
+  };
+  std::vector<Bump> bumps_;
   std::vector<Plane> planes_;
   std::vector<Box> boxes_;
 };
