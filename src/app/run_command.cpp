@@ -9,6 +9,7 @@
 
 #include "commands.hpp"
 #include "pago/config/load.hpp"
+#include "pago/core/text.hpp"
 #include "pago/output/results_folder.hpp"
 #include "pago/output/run_recorder.hpp"
 #include "pago/pipeline/pipeline.hpp"
@@ -78,6 +79,9 @@ output::RunReport report_of(const RunSummary& summary,
   report.source = options.source;
   report.config_toml = dump_toml(config);
   report.facts.emplace_back("ground", config.ground.method);
+  report.facts.emplace_back("mount check", std::string(to_string(summary.mount.finding)));
+  if (summary.mount.has_estimate)
+    report.facts.emplace_back("ground below sensor", format("%.3f m", summary.mount.height_m));
   if (has_packets) {
     report.facts.emplace_back("sensor", summary.sensor);
     report.facts.emplace_back("calibration", config.hdl64.calibration);
@@ -102,8 +106,10 @@ int exit_code(const RunSummary& summary, const output::RunTotals& totals, bool i
 /// What a user should know about a run that went through.
 std::vector<std::string> doubts(const RunSummary& summary,
                                 const output::RunTotals& totals,
-                                const OpenSource& source) {
+                                const OpenSource& source,
+                                const Mount& mount) {
   std::vector<std::string> result;
+  if (summary.mount.is_warning()) result.push_back(ground::to_text(summary.mount, mount));
   const PacketCounters& packets = summary.packets;
   if (summary.failure.empty() && totals.num_poses == 0)
     result.emplace_back("no complete rotation, so no pose");
@@ -150,7 +156,7 @@ int run_command(const RunOptions& options) {
   for (const std::string& complaint : {results.complaint, summary.complaint, summary.failure}) {
     if (!complaint.empty()) std::cerr << "pago: " << complaint << '\n';
   }
-  for (const std::string& doubt : doubts(summary, recorder->totals(), source))
+  for (const std::string& doubt : doubts(summary, recorder->totals(), source, config.mount))
     std::cerr << "pago: " << doubt << '\n';
   const std::vector<std::string> complaints = recorder->complaints();
   for (const std::string& complaint : complaints) std::cerr << "pago: " << complaint << '\n';

@@ -9,7 +9,7 @@
 #include "pago/config/load.hpp"
 #include "pago/core/error.hpp"
 #include "pago/features/features.hpp"
-#include "pago/ground/segmenter.hpp"
+#include "pago/ground/ground_stage.hpp"
 #include "pago/odometry/odometry.hpp"
 
 namespace pago {
@@ -68,12 +68,12 @@ struct Odometry::Parts {
   Parts(const Config& c, std::uint32_t max_returns)
       : sweep(max_returns),
         organizer(max_returns),
-        segmenter(ground::make_segmenter(c.ground, c.mount, max_returns)),
+        segmenter(c.ground, c.mount, max_returns),
         extractor(c.features, max_returns),
         odometer(c.odometry, max_returns) {}
 
   void run_stages() noexcept {
-    Chain stages(*segmenter, extractor, odometer);
+    Chain stages(segmenter, extractor, odometer);
     stages.begin(sweep);
     stages.accept({&sweep, sweep.size, sweep.header.num_columns, true});
     stages.finish(sweep);
@@ -81,7 +81,7 @@ struct Odometry::Parts {
 
   Sweep sweep;
   ScanOrganizer organizer;
-  std::unique_ptr<ground::Segmenter> segmenter;
+  ground::GroundStage segmenter;
   features::FeaturesStage extractor;
   odometry::OdometryStage odometer;
 
@@ -124,6 +124,9 @@ Estimate Odometry::process(const Scan& scan) noexcept {
 
 std::span<const std::uint8_t> Odometry::ground() const noexcept {
   return parts_->sweep.ground.first(parts_->sweep.size);
+}
+const ground::MountReport& Odometry::mount_report() const noexcept {
+  return parts_->segmenter.mount_report();
 }
 std::string_view Odometry::refusal() const noexcept {
   return parts_->refusal;

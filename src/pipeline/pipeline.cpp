@@ -10,7 +10,7 @@
 #include "pago/config/load.hpp"
 #include "pago/core/error.hpp"
 #include "pago/features/features.hpp"
-#include "pago/ground/segmenter.hpp"
+#include "pago/ground/ground_stage.hpp"
 #include "pago/odometry/odometry.hpp"
 #include "pago/pipeline/timed.hpp"
 #include "pago/platform/thread.hpp"
@@ -40,7 +40,7 @@ struct Pipeline::Parts {
       : config(c),
         max_returns(static_cast<std::uint32_t>(c.assembly.max_returns)),
         ring(static_cast<std::size_t>(c.assembly.ring_size), max_returns),
-        segmenter(ground::make_segmenter(c.ground, c.mount, max_returns)),
+        segmenter(c.ground, c.mount, max_returns),
         extractor(c.features, max_returns),
         odometer(c.odometry, max_returns),
         parts(elements(c.assembly.ring_size * c.assembly.sectors)),
@@ -55,7 +55,7 @@ struct Pipeline::Parts {
   //              └──────────────── freed sweeps <══════════════┘
   template <typename Ingest>
   void flow(Ingest ingest, Observer& observer, RunSummary& summary) {
-    Timed ground(StageId::kGround, *segmenter);
+    Timed ground(StageId::kGround, segmenter);
     Timed features(StageId::kFeatures, extractor);
     Timed odometry(StageId::kOdometry, odometer);
     Chain front(ground, features);
@@ -85,6 +85,7 @@ struct Pipeline::Parts {
       summary.threads.push_back(platform::describe(thread->plan(), thread->grant()));
     }
     publish(observer);
+    summary.mount = segmenter.mount_report();
   }
 
   void publish(Observer& observer) {
@@ -115,7 +116,7 @@ struct Pipeline::Parts {
   Config config;
   std::uint32_t max_returns;
   SweepRing ring;
-  std::unique_ptr<ground::Segmenter> segmenter;
+  ground::GroundStage segmenter;
   features::FeaturesStage extractor;
   odometry::OdometryStage odometer;
   platform::Channel<SweepPart> parts;

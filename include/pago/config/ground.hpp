@@ -8,6 +8,7 @@
 #include "pago/config/ground/gpf.hpp"
 #include "pago/config/ground/lego.hpp"
 #include "pago/config/ground/linefit.hpp"
+#include "pago/config/ground/mount_check.hpp"
 #include "pago/config/ground/patchwork.hpp"
 #include "pago/config/ground/patchworkpp.hpp"
 #include "pago/config/ground/ransac.hpp"
@@ -29,6 +30,8 @@ struct GroundConfig {
   CascadedConfig cascaded;
   TruthConfig truth;
   TruthErrorsConfig truth_errors;
+  MountCheckConfig mount_check;
+  HeightEstimateConfig height;
 };
 
 template <typename Visitor>
@@ -48,6 +51,8 @@ void describe(Visitor& v, GroundConfig& c) {
   v.section("cascaded", c.cascaded, "obstacles by ring spacing, then a plane per region (Narksri 2018)");
   v.section("truth", c.truth, "the labels' own mask");
   v.section("truth_errors", c.truth_errors, "the labels' own mask with errors put in");
+  v.section("mount_check", c.mount_check, "whether the ground lies where the mount says");
+  v.section("height", c.height, "the sensor's height from the first sweep instead of the mount");
 }
 
 }  // namespace pago

@@ -10,6 +10,7 @@
 #include "pago/config/config.hpp"
 #include "pago/core/counters.hpp"
 #include "pago/core/sources.hpp"
+#include "pago/ground/mount_report.hpp"
 #include "pago/hdl64/calibration.hpp"
 #include "pago/output/sweep_record.hpp"
 
@@ -36,6 +37,7 @@ struct RunSummary {
   std::uint64_t clock_restarts = 0;     ///< of the sensor's clock: power cycles, GPS found
   std::string sensor;                   ///< what the stream came from, e.g. "HDL-64E S2/S3, single return"
   std::vector<std::string> threads;     ///< what each thread asked for and got
+  ground::MountReport mount;            ///< whether the ground was where the mount says
   std::string complaint;  ///< the source's own words if it ended early; what came before was used
   std::string failure;    ///< why the run could not be completed; empty if it was
   bool interrupted = false;
