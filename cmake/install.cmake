@@ -9,6 +9,8 @@ set(packages
   Eigen3::Eigen "Eigen3 3.4"
   Threads::Threads "Threads"
   Ceres::ceres "Ceres"
+  embree "embree 3"
+  PNG::PNG "PNG"
   spdlog::spdlog "spdlog"
   pugixml::pugixml "pugixml"
   yaml-cpp "yaml-cpp"
@@ -37,7 +39,7 @@ install(TARGETS pago EXPORT pagoTargets ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBD
 install(EXPORT pagoTargets NAMESPACE pago:: DESTINATION ${config_folder})
 install(FILES ${PROJECT_BINARY_DIR}/pagoConfig.cmake ${PROJECT_BINARY_DIR}/pagoConfigVersion.cmake
   DESTINATION ${config_folder})
-install(DIRECTORY include/pago DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} FILES_MATCHING PATTERN "*.hpp")
+install(DIRECTORY include/pago DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} FILES_MATCHING REGEX "\\.hpp$|\\.h$")
 install(FILES LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR})
 if(TARGET pago_program)
   install(TARGETS pago_program RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})

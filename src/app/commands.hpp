@@ -18,5 +18,9 @@ using Action = std::function<int()>;
 void add_run_command(CLI::App& program, Action& action);
 void add_evaluate_command(CLI::App& program, Action& action);
 void add_config_command(CLI::App& program, Action& action);
+void add_play_command(CLI::App& program, Action& action);
+void add_ctl_command(CLI::App& program, Action& action);
+void add_doctor_command(CLI::App& program, Action& action);
+void add_simulate_command(CLI::App& program, Action& action);  // where the simulator is built in
 
 }  // namespace pago::app

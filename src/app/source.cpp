@@ -9,6 +9,14 @@
 #include "pago/ground/segmenter.hpp"
 #include "pago/hdl64/stream_probe.hpp"
 #include "pago/pcap/pcap_source.hpp"
+#include "pago/udp/udp_source.hpp"
+
+#ifdef PAGO_HAS_SIMULATOR
+#include "pago/config/load.hpp"
+#include "pago/simulator/drive_name.hpp"
+#include "pago/simulator/labelled_capture.hpp"
+#include "pago/simulator/simulator_source.hpp"
+#endif
 
 namespace pago::app {
 
@@ -58,23 +66,72 @@ void check_sensor(const fs::path& file, const PacketFilterConfig& filter) {
   }
 }
 
-OpenCapture open_capture(const fs::path& file, Config& config) {
+/// A simulated drive's labels lie beside its packets: packets.labels, packets.pcap.
+std::unique_ptr<PacketSource> replay(const fs::path& file,
+                                     const PacketFilterConfig& filter,
+                                     const hdl64::Calibration& calibration) {
+#ifdef PAGO_HAS_SIMULATOR
+  const fs::path labels = fs::path(file).replace_extension(".labels");
+  std::error_code unknown;
+  if (fs::exists(labels, unknown))
+    return std::make_unique<LabelledCapture>(file, filter, labels, calibration);
+#else
+  (void)calibration;
+#endif
+  return std::make_unique<PcapSource>(file, filter);
+}
+
+OpenPackets open_capture(const fs::path& file, Config& config) {
   std::error_code unknown;
   if (fs::is_fifo(file, unknown))
     throw Error(file.string(), "is a pipe", "captures are read twice: give a file");
   check_sensor(file, config.packets);
-  OpenCapture open{std::make_unique<PcapSource>(file, config.packets), {}};
+  OpenPackets open;
   if (config.hdl64.calibration.empty()) config.hdl64.calibration = calibration_beside(file);
   open.calibration = hdl64::load_calibration(config.hdl64.calibration, config.hdl64.vertical_offset);
+  open.packets = replay(file, config.packets, open.calibration);
   return open;
 }
 
+OpenPackets open_live(const std::string& name, Config& config) {
+  if (config.hdl64.calibration.empty())
+    throw Error(name, "no calibration given",
+                "give the unit's own db.xml or yaml with --calibration: without it every range is wrong by "
+                "about a metre");
+  OpenPackets open;
+  open.is_live = true;
+  open.calibration = hdl64::load_calibration(config.hdl64.calibration, config.hdl64.vertical_offset);
+  auto socket = std::make_unique<UdpSource>(parse_udp_endpoint(name), config.packets, config.udp);
+  open.warnings = socket->warnings();
+  open.packets = std::move(socket);
+  return open;
+}
+
+#ifdef PAGO_HAS_SIMULATOR
+OpenPackets open_simulated(const std::string& drive, Config& config) {
+  simulator::apply_drive_name(config, drive);
+  validate(config);
+  auto source = std::make_unique<SimulatorSource>(config.simulator, config.hdl64, config.mount);
+  OpenPackets open;
+  open.calibration = source->calibration();
+  open.packets = std::move(source);
+  return open;
+}
+#else
+OpenPackets open_simulated(const std::string& drive, Config&) {
+  throw Error("sim:" + drive, "this pago was built without the simulator");
+}
+#endif
+
 OpenSource open(const std::string& name, Config& config) {
+  if (const auto drive = after(name, "sim")) return open_simulated(*drive, config);
+  if (name.starts_with("udp:")) return open_live(name, config);
   if (const auto file = after(name, "pcap")) return open_capture(*file, config);
   const auto folder = after(name, "kitti");
   std::error_code unknown;
   if (folder || fs::is_directory(name, unknown)) {
-    return OpenFolder{std::make_unique<KittiSource>(folder.value_or(name), config.kitti)};
+    return OpenFolder{std::make_unique<KittiSource>(folder.value_or(name), config.kitti,
+                                                    SelfFilter(config.vehicle, config.mount))};
   }
   return open_capture(name, config);
 }
@@ -83,11 +140,15 @@ OpenSource open(const std::string& name, Config& config) {
 
 void require_labels(const OpenSource& source, const std::string& name, const std::string& method) {
   if (!ground::find_method(method).traits.needs_labels) return;
-  const std::string hint = "choose another method, or scans with SemanticKITTI's labels beside them";
-  const auto* folder = std::get_if<OpenFolder>(&source);
-  if (folder == nullptr) throw Error(name, "has no labels, which ground method '" + method + "' needs", hint);
-  const std::string scan = folder->sweeps->first_without_labels();
-  if (!scan.empty()) throw Error(scan, "has no labels, which ground method '" + method + "' needs", hint);
+  std::string unlabelled;
+  if (const auto* folder = std::get_if<OpenFolder>(&source)) {
+    unlabelled = folder->sweeps->first_without_labels();
+  } else if (!std::get<OpenPackets>(source).packets->has_labels()) {
+    unlabelled = name;
+  }
+  if (!unlabelled.empty())
+    throw Error(unlabelled, "has no labels, which ground method '" + method + "' needs",
+                "choose another method, scans with SemanticKITTI's labels, or a simulated drive");
 }
 
 OpenSource open_source(const std::string& name, Config& config) {

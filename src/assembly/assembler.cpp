@@ -85,6 +85,7 @@ void Assembler::interrupt() noexcept {
 void Assembler::finish() noexcept {
   if (open_ != nullptr) close_within_rotation(kPartialEnd);
   last_.is_valid = false;
+  begins_stream_ = true;
 }
 
 std::int64_t Assembler::steps_after_last(std::int64_t time_ns) const noexcept {
@@ -122,8 +123,8 @@ int Assembler::cross_cut(const Firing& firing, double turn, double step, std::in
 
 void Assembler::open(const Firing& firing, int columns, bool after_gap) noexcept {
   ++counters_.opened;
-  is_first_of_stream_ = is_first_;
-  is_first_ = false;
+  is_first_of_stream_ = begins_stream_;
+  is_first_ = begins_stream_ = false;
   open_ = spare_ != nullptr ? spare_ : exchange_.acquire();
   spare_ = nullptr;
   if (open_ == nullptr) {
@@ -218,7 +219,9 @@ void Assembler::close_at_cut(int lost_before_cut) noexcept {
   ++counters_.no_free_sweep;
   counters_.is_open = 0;
   spare_ = open_;
+  const std::uint64_t request = spare_->header.request;
   spare_->reset();
+  spare_->header.request = request;  // it is still the one that was asked for then
 }
 
 void Assembler::close_within_rotation(std::uint32_t flags) noexcept {

@@ -17,19 +17,21 @@ constexpr std::int64_t kSilence_ns = 50'000'000;
 PacketIngest::PacketIngest(const AssemblyConfig& assembly,
                            const Hdl64Config& sensor,
                            const hdl64::Calibration& calibration,
-                           SweepExchange& exchange)
+                           SweepExchange& exchange,
+                           const SelfFilter& self)
     : sequencer_(assembly.reorder_window),
       decoder_(calibration, sensor.min_range_m, sensor.max_range_m),
       assembler_(assembly, calibration, exchange),
       stamp_to_first_firing_ns_(sensor.packet_stamp == PacketStamp::kLastFiring ? -hdl64::kPacketPeriod_ns
                                                                                 : 0),
       held_(kHold),
-      held_azimuths_(kHold) {}
+      held_azimuths_(kHold),
+      self_(self) {}
 
 void PacketIngest::push(const Datagram& datagram) noexcept {
-  if (!is_identified_) identify(datagram);
-  if (is_refused_) return;
   ++packets_.received;
+  if (!is_identified_) identify(datagram);
+  if (is_refused_) return count_bad(PacketFault::kOtherSensor);
   PacketFault fault = hdl64::check_packet(datagram.payload);
   if (fault == PacketFault::kNone) {
     const std::span bytes = datagram.payload.first<hdl64::kPacketBytes>();
@@ -39,16 +41,36 @@ void PacketIngest::push(const Datagram& datagram) noexcept {
       return sequence({bytes, stamp.time_ns + stamp_to_first_firing_ns_, datagram.arrival_ns});
     fault = PacketFault::kStamp;
   }
-  ++packets_.bad[static_cast<std::size_t>(fault)];
+  count_bad(fault);
   assembler_.note_bad_packet();
 }
 
-void PacketIngest::finish() noexcept {
-  if (!is_identified_) is_refused_ = true;
-  if (is_refused_) return;
+void PacketIngest::note_silence() noexcept {
+  if (!is_identified_) return;
   while (const auto packet = sequencer_.take_regardless()) accept(*packet);
+  break_off();
+}
+
+void PacketIngest::probe_again() noexcept {
+  if (!is_refused_) return;
+  is_refused_ = false;
+  probe_ = {};
+}
+
+void PacketIngest::finish() noexcept {
+  if (!is_identified_) return refuse();
+  note_silence();
+}
+
+void PacketIngest::break_off() noexcept {
   release_held();
   assembler_.finish();
+}
+
+void PacketIngest::refuse() noexcept {
+  is_refused_ = true;
+  packets_.bad[static_cast<std::size_t>(PacketFault::kOtherSensor)] += sequencer_.forget() + num_held_;
+  num_held_ = 0;
 }
 
 std::string PacketIngest::refusal() const {
@@ -72,14 +94,14 @@ void PacketIngest::identify(const Datagram& datagram) noexcept {
   probe_.add(datagram.payload, datagram.arrival_ns);
   if (!probe_.decided()) return;
   is_identified_ = hdl64::is_supported(probe_.kind());
-  is_refused_ = !is_identified_;
+  if (!is_identified_) refuse();
 }
 
 // What is still held belongs to the old count of time.
 void PacketIngest::restart_clock() noexcept {
   while (const auto packet = sequencer_.take_regardless()) accept(*packet);
   if (is_identified_) {
-    release_held();
+    break_off();
   } else {
     // Nothing is decoded yet, so the odd ones out are those before.
     packets_.bad[static_cast<std::size_t>(PacketFault::kStamp)] += num_held_;
@@ -108,10 +130,11 @@ void PacketIngest::sequence(const StampedPacket& packet) noexcept {
 }
 
 void PacketIngest::accept(const StampedPacket& packet) noexcept {
-  const bool after_silence = packet.time_ns - newest_ns_ > kSilence_ns;
+  const std::int64_t silence_ns = packet.time_ns - newest_ns_;
   newest_ns_ = packet.time_ns;
-  if (after_silence && is_identified_) {
+  if (silence_ns > kSilence_ns && is_identified_) {
     release_held();
+    if (silence_ns > kBrokenOff_ns) break_off();
     is_holding_ = true;
   }
   if (!is_holding_) is_holding_ = !tracker_.add(hdl64::PacketAzimuths::of(packet.view(), packet.time_ns));
@@ -147,6 +170,7 @@ void PacketIngest::assemble(const StampedPacket& packet) noexcept {
     const double revolutions = tracker_.revolutions(time_ns);
     const double azimuth_rad = 2.0 * std::numbers::pi * (revolutions - std::floor(revolutions));
     decoder_.decode(packet.view(), i, {azimuth_rad, 2.0 * std::numbers::pi * rate_rev_s}, returns_);
+    if (self_.has_box()) self_hits_ += static_cast<std::uint64_t>(self_.remove_own(returns_));
     assembler_.add({time_ns, packet.arrival_ns, revolutions, rate_rev_s}, returns_);
   }
 }

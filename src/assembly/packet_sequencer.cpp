@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <utility>
 
 namespace pago {
 
@@ -50,6 +51,15 @@ void PacketSequencer::restart() noexcept {
   assert(held_ == 0);
   started_ = false;
   recent_ = {};
+}
+
+std::uint64_t PacketSequencer::forget() noexcept {
+  const std::uint64_t dropped = std::exchange(held_, 0);
+  for (Slot& slot : slots_) slot.is_used = false;
+  firings_ = {};
+  reordered_ = 0;
+  restart();
+  return dropped;
 }
 
 std::int64_t PacketSequencer::periods_after_last(std::int64_t time_ns) const noexcept {

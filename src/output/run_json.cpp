@@ -36,8 +36,13 @@ Json json_of(const LatencyReport& latency) {
 }
 
 Json json_of(const SourceCounters& c) {
-  return {{"received", c.received},   {"delivered", c.delivered},         {"filtered", c.filtered},
-          {"truncated", c.truncated}, {"fragment_lost", c.fragment_lost}, {"malformed", c.malformed},
+  return {{"received", c.received},
+          {"delivered", c.delivered},
+          {"filtered", c.filtered},
+          {"truncated", c.truncated},
+          {"fragment_lost", c.fragment_lost},
+          {"malformed", c.malformed},
+          {"kernel_dropped", c.kernel_dropped},
           {"balanced", c.balanced()}};
 }
 
@@ -93,6 +98,14 @@ Json facts_of(const RunReport& report) {
   return facts;
 }
 
+Json json_of(const DecisionLog& log) {
+  const Decisions& d = log.decisions();
+  return {{"complete", log.is_complete()},
+          {"superseded", d.superseded},
+          {"unmet", d.unmet},
+          {"resets", d.resets}};
+}
+
 /// null where there is nothing of the kind.
 template <typename Counters>
 Json json_of(const std::optional<Counters>& counters) {
@@ -101,7 +114,7 @@ Json json_of(const std::optional<Counters>& counters) {
 
 }  // namespace
 
-std::string run_json(const RunReport& report, const RunTotals& totals) {
+std::string run_json(const RunReport& report, const RunTotals& totals, const DecisionLog& decisions) {
   const Json json = {{"version", report.version},
                      {"source", report.source},
                      {"complaint", report.complaint},
@@ -111,7 +124,9 @@ std::string run_json(const RunReport& report, const RunTotals& totals) {
                      {"sweeps", json_of(report.sweeps)},
                      {"packets", json_of(report.packets)},
                      {"firings", json_of(report.firings)},
+                     {"self_hits", report.self_hits},
                      {"datagrams", json_of(report.source_counters)},
+                     {"decisions", json_of(decisions)},
                      {"latency_ms", json_of(totals.latency)},
                      {"config", report.config_toml}};
   // Paths need not be UTF-8.

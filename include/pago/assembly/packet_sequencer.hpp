@@ -59,6 +59,8 @@ class PacketSequencer {
   std::optional<StampedPacket> take_regardless() noexcept;
   /// The next packet begins a new count of time; nothing may be held.
   void restart() noexcept;
+  /// As if no packet had been offered yet; returns how many were held.
+  std::uint64_t forget() noexcept;
 
   const FiringCounters& firings() const noexcept { return firings_; }
   /// Packets of which take() or offer() gave back an older one after a newer one had been held.

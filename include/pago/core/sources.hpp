@@ -27,6 +27,9 @@ struct SourceCounters {
   std::uint64_t truncated = 0;      ///< recorded or received shorter than it was sent
   std::uint64_t fragment_lost = 0;  ///< a fragment whose siblings never came
   std::uint64_t malformed = 0;      ///< link, IP or UDP header that contradicts itself
+  /// Not among the received: the kernel had no room for them (its own count, SO_RXQ_OVFL). They show again as
+  /// lost firings.
+  std::uint64_t kernel_dropped = 0;
 
   std::uint64_t bad() const noexcept { return truncated + fragment_lost + malformed; }
   bool balanced() const noexcept { return received == delivered + filtered + bad(); }
@@ -55,6 +58,11 @@ class PacketSource {
   /// What went wrong in the middle of the source, e.g. "capture ends inside a record at byte 125,424"; empty
   /// if nothing.
   virtual std::string complaint() const = 0;
+
+  /// Whether label() does anything: a simulator knows what its packets are of. [any thread]
+  virtual bool has_labels() const noexcept { return false; }
+  /// Labels a complete sweep that was made of this source's packets, and sets kLabelled. [ingest thread]
+  virtual void label(Sweep&) const noexcept {}
 };
 
 /// Where whole sweeps come from (KITTI folders). Same life as PacketSource.

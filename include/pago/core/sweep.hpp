@@ -31,15 +31,21 @@ enum SweepFlag : std::uint32_t {
   kCompensated =
       1U << 5,            ///< returns are already in the frame of one instant (KITTI odometry): never de-skew
   kSuperseded = 1U << 6,  ///< skipped for a newer one under overload: no pose
+  kAfterReset = 1U << 8,  ///< odometry began anew ahead of it, because somebody asked
   kLabelled = 1U << 7,    ///< `label` holds the truth: simulated or hand-labelled
 };
 
 struct SweepHeader {
   std::uint64_t sequence = 0;  ///< counts rotations from 0, skipped and partial ones included
-  std::int64_t start_ns = 0;   ///< sensor time of the first firing, ns since the Unix epoch
-  std::int64_t end_ns = 0;     ///< sensor time of the end of the last firing
+  std::uint64_t request =
+      0;  ///< which of the assembler's requests for an empty sweep it was given for, from 1
+  std::int64_t start_ns = 0;  ///< sensor time of the first firing, ns since the Unix epoch
+  std::int64_t end_ns = 0;    ///< sensor time of the end of the last firing
   std::int64_t first_arrival_ns = 0, last_arrival_ns = 0;  ///< host arrival of its first and last packet
-  std::int64_t closed_ns = 0;     ///< monotonic clock when the assembler handed it on
+  std::int64_t closed_ns = 0;  ///< monotonic clock when the assembler handed it on
+  /// Monotonic clock when its last packet arrived, as well as the host's clock tells (last_arrival_ns); in a
+  /// replay, where arrival was long ago: closed_ns. Latency counts from here.
+  std::int64_t complete_ns = 0;
   std::uint32_t num_columns = 0;  ///< firings in the rotation = used columns of the range image
   std::uint32_t firings_received = 0, firings_lost = 0;
   std::uint32_t packets_bad = 0;  ///< malformed datagrams that arrived while it was filled

@@ -1,0 +1,58 @@
+// SPDX-FileCopyrightText: 2026 The PaGO authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "pago/assembly/self_filter.hpp"
+
+#include <algorithm>
+
+namespace pago {
+
+namespace {
+
+/// Whether any of the first `size` returns is nearer; reads all lanes, so that it becomes vector code.
+bool any_nearer(const hdl64::FiringReturns& returns, float range_sq_m2) noexcept {
+  int nearer = 0;
+  for (int i = 0; i < hdl64::kLasers; ++i) {
+    const auto k = static_cast<std::size_t>(i);
+    const float x = returns.x_m[k], y = returns.y_m[k], z = returns.z_m[k];
+    nearer |= (x * x + y * y + z * z < range_sq_m2) & (i < returns.size) ? 1 : 0;
+  }
+  return nearer != 0;
+}
+
+}  // namespace
+
+SelfFilter::SelfFilter(const VehicleConfig& vehicle, const Mount& mount) {
+  if (!vehicle.has_box()) return;
+  const Eigen::Isometry3d T_base_sensor = mount.T_base_sensor();
+  constexpr double kUnderground_m = -100.0;
+  const Eigen::Vector3d min(-vehicle.rear_m, -vehicle.right_m, kUnderground_m);
+  const Eigen::Vector3d max(vehicle.front_m, vehicle.left_m, vehicle.top_m);
+  R_base_sensor_ = T_base_sensor.linear().cast<float>();
+  min_m_ = (min - T_base_sensor.translation()).cast<float>();
+  max_m_ = (max - T_base_sensor.translation()).cast<float>();
+  // What lies lower than the ground is too far to matter: mirror images are the ground module's matter.
+  Eigen::Vector3f corner = min_m_.cwiseAbs().cwiseMax(max_m_.cwiseAbs());
+  corner.z() = std::max(std::abs(max_m_.z()), static_cast<float>(mount.height_m) + 2.0F);
+  reach_sq_m2_ = corner.squaredNorm();
+}
+
+int SelfFilter::remove_own(hdl64::FiringReturns& returns) const noexcept {
+  if (!any_nearer(returns, reach_sq_m2_)) return 0;
+  int kept = 0;
+  for (int i = 0; i < returns.size; ++i) {
+    const auto from = static_cast<std::size_t>(i), to = static_cast<std::size_t>(kept);
+    if (is_own(returns.x_m[from], returns.y_m[from], returns.z_m[from])) continue;
+    returns.x_m[to] = returns.x_m[from];
+    returns.y_m[to] = returns.y_m[from];
+    returns.z_m[to] = returns.z_m[from];
+    returns.intensity[to] = returns.intensity[from];
+    returns.ring[to] = returns.ring[from];
+    returns.laser[to] = returns.laser[from];
+    ++kept;
+  }
+  const int removed = returns.size - kept;
+  returns.size = kept;
+  return removed;
+}
+
+}  // namespace pago
