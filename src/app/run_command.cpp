@@ -176,7 +176,9 @@ void add_run_command(CLI::App& program, Action& action) {
           "--calibration", options->calibration,
           "the unit's db.xml or ROS yaml; default: calibration.xml, .yaml or db.xml beside the capture")
       ->type_name("FILE");
-  command.add_option("--ground", options->ground, "ground segmentation: patchwork (default) or lego")
+  command
+      .add_option("--ground", options->ground,
+                  "ground segmentation: patchwork (default), patchworkpp, lego, ...; pago config lists them")
       ->type_name("NAME");
   command.add_flag("--realtime", options->is_realtime,
                    "replay a capture at the pace of its recording, as if the sensor were live: poses are "

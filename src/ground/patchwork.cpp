@@ -89,4 +89,10 @@ std::unique_ptr<Segmenter> make_patchwork(const GroundConfig& config,
   return std::make_unique<Patchwork>(config.patchwork, mount, max_returns);
 }
 
+std::unique_ptr<Segmenter> make_patchwork_hdl64(const GroundConfig& config,
+                                                const Mount& mount,
+                                                std::uint32_t max_returns) {
+  return std::make_unique<Patchwork>(config.patchwork_hdl64, mount, max_returns);
+}
+
 }  // namespace pago::ground
