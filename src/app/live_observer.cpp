@@ -54,11 +54,13 @@ LiveOutlets open_outlets(const Config& config) {
 
 LiveObserver::LiveObserver(LiveOutlets& outlets,
                            std::string source,
+                           const Mount& mount,
                            output::RunRecorder& recorder,
                            std::function<output::RunReport(const IngestStatus&)> report_so_far,
                            std::function<void()> reset)
     : outlets_(outlets),
       source_(std::move(source)),
+      mount_(mount),
       recorder_(recorder),
       report_so_far_(std::move(report_so_far)),
       reset_(std::move(reset)),
@@ -81,6 +83,12 @@ void LiveObserver::on_pose(const output::PoseV1& pose) {
   if (pose.kind != PAGO_POSE_REFINED) return;
   newest_ = pose;
   if (outlets_.lines) outlets_.lines->write(pose);
+}
+
+void LiveObserver::on_mount(const ground::MountReport& report) {
+  if (!report.is_warning()) return;
+  line_.clear();
+  log_.warn(to_text(report, mount_));
 }
 
 void LiveObserver::on_status(const IngestStatus& status) {

@@ -103,7 +103,7 @@ RunSummary go_live(Prepared& run,
                    std::vector<std::string>& complaints) {
   const auto start = std::chrono::steady_clock::now();
   LiveObserver observer(
-      run.outlets, options.source, recorder,
+      run.outlets, options.source, config.mount, recorder,
       [&](const IngestStatus& now) {
         return report_so_far(now, options.source, config, seconds_since(start));
       },

@@ -50,7 +50,8 @@ struct Pipeline::Parts {
     Timed odometry(StageId::kOdometry, odometer);
     PublishPose first_pose(output::PoseKind::kFirst, pose_maker, board ? &*board : nullptr, outlet);
     PublishPose refined_pose(output::PoseKind::kRefined, pose_maker, board ? &*board : nullptr, outlet);
-    Chain front(ground, features);
+    PublishMount mount_verdict(segmenter, verdict);
+    Chain front(ground, features, mount_verdict);
     Chain estimate(odometry, first_pose, refined_pose);
     const auto begin_anew = [this, resets = Recorded(decisions.resets)](Sweep& sweep) mutable noexcept {
       // Relaxed: a wish, which guards no data.
@@ -114,6 +115,7 @@ struct Pipeline::Parts {
   void publish(Observer& observer) {
     std::exception_ptr thrown;
     News item;
+    ground::MountReport mount;
     while (true) {
       const bool has_news = news.pop_wait(item, kTick_ns);
       if (has_news && item.kind == News::Kind::kEnd) break;
@@ -121,6 +123,8 @@ struct Pipeline::Parts {
       try {
         if (has_news && item.kind == News::Kind::kPose) observer.on_pose(item.pose);
         if (has_news && item.kind == News::Kind::kSweep) observer.on_sweep(item.record);
+        if (mount.finding == ground::MountFinding::kPending && verdict.try_load(mount))
+          observer.on_mount(mount);
         if (IngestStatus now; status.try_load(now)) observer.on_status(now);
       } catch (...) {
         thrown = std::current_exception();
@@ -152,6 +156,7 @@ struct Pipeline::Parts {
   platform::Channel<Sweep*> freed;
   platform::Channel<News> news{256};
   Seqlock<IngestStatus> status;
+  Seqlock<ground::MountReport> verdict;
   RingExchange exchange{ring, freed, parts, pace, Recorded(decisions.unmet)};
   Outlet outlet{news, /*waits=*/pace == Pace::kReplay};
   SweepCounters fates;  // of the sweeps that came through

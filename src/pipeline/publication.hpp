@@ -4,6 +4,8 @@
 
 #include <atomic>
 
+#include "pago/core/seqlock.hpp"
+#include "pago/ground/ground_stage.hpp"
 #include "pago/output/pose_board.hpp"
 #include "pago/output/sweep_record.hpp"
 #include "pago/platform/clock.hpp"
@@ -64,6 +66,26 @@ class PublishPose {
   const output::PoseMaker& maker_;
   output::PoseBoard* board_;
   Outlet& outlet_;
+};
+
+/// Hands the verdict on the mount to the publisher's thread, once; a stage itself, behind the ground's.
+class PublishMount {
+ public:
+  PublishMount(const ground::GroundStage& ground, Seqlock<ground::MountReport>& verdict) noexcept
+      : ground_(ground), verdict_(verdict) {}
+
+  void begin(Sweep&) noexcept {}
+  void accept(const SweepPart&) noexcept {}
+  void finish(Sweep&) noexcept {
+    if (is_told_ || ground_.mount_report().finding == ground::MountFinding::kPending) return;
+    is_told_ = true;
+    verdict_.store(ground_.mount_report());
+  }
+
+ private:
+  const ground::GroundStage& ground_;
+  Seqlock<ground::MountReport>& verdict_;
+  bool is_told_ = false;
 };
 
 }  // namespace pago

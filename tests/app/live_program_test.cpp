@@ -116,9 +116,11 @@ TEST_CASE("a capture replayed in real time behaves as live, scans cannot be", "[
   const StreetFolder folder;
   const Outcome outcome = run_pago(folder.path(),
                                    "run street.pcap --realtime --set control.socket=none --set "
-                                   "publish.shared_memory= --set publish.json_lines=poses.jsonl");
+                                   "publish.shared_memory= --set publish.json_lines=poses.jsonl --set "
+                                   "mount.height_m=1.2 --set ground.mount_check.sweeps=2");
   INFO(outcome.out << outcome.err);
   REQUIRE(outcome.exit_code == 0);
   CHECK_FALSE(read_text(folder.path() / "poses.jsonl").empty());
-  CHECK(fs::exists(folder.path() / "results/latest/log.txt"));
+  const std::string log = read_text(folder.path() / "results/latest/log.txt");
+  CHECK(log.find("mount.height_m is 1.20; try --set mount.height_m=1.7") != std::string::npos);
 }

@@ -10,13 +10,22 @@
 
 namespace pago::test {
 
+/// The part of a finished sweep that would have arrived when `share` of its columns were closed.
+inline SweepPart part_of(Sweep& sweep, double share) {
+  const auto columns = static_cast<std::uint32_t>(share * sweep.header.num_columns);
+  std::uint32_t until = 0;
+  while (until < sweep.size && sweep.column[until] < columns) ++until;
+  return {&sweep, until, columns, false};
+}
+
 /// Segments sweeps while their parts come, with every method, and holds each mask against the whole sweep's.
 class SectorWatch {
  public:
-  explicit SectorWatch(const Mount& mount, std::uint32_t max_returns = 300'000) {
-    for (const GroundCase& c : ground_cases())
-      pairs_.push_back({c.name,
-                        ground::make_segmenter(c.config, mount, max_returns),
+  explicit SectorWatch(const Mount& mount, std::uint32_t max_returns = 300'000)
+      : SectorWatch(ground_cases(), mount, max_returns) {}
+  SectorWatch(const std::vector<GroundCase>& cases, const Mount& mount, std::uint32_t max_returns = 300'000) {
+    for (const GroundCase& c : cases)
+      pairs_.push_back({c.name, ground::make_segmenter(c.config, mount, max_returns),
                         ground::make_segmenter(c.config, mount, max_returns),
                         AlignedArray<std::uint8_t>(max_returns)});
   }
@@ -39,6 +48,12 @@ class SectorWatch {
 
   int sweeps() const { return sweeps_; }
   int parts() const { return parts_; }
+  /// Returns whose mask was another one, of all methods together.
+  long different() const {
+    long sum = 0;
+    for (const Pair& pair : pairs_) sum += pair.different;
+    return sum;
+  }
   /// Which methods differed, and in how many returns.
   std::string complaint() const {
     std::string text;

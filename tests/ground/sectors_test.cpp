@@ -26,14 +26,6 @@ Scene rough() {
   return scene;
 }
 
-/// The part of a finished sweep that would have arrived when `share` of its columns were closed.
-SweepPart part_of(Sweep& sweep, double share) {
-  const auto columns = static_cast<std::uint32_t>(share * sweep.header.num_columns);
-  std::uint32_t until = 0;
-  while (until < sweep.size && sweep.column[until] < columns) ++until;
-  return {&sweep, until, columns, false};
-}
-
 }  // namespace
 
 TEST_CASE("sweeps of the drive get the same mask in sectors as whole", "[ground][sectors]") {

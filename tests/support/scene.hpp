@@ -49,9 +49,10 @@ class Scene {
   }
   Scene& level_ground() { return ground(0.0); }
 
-  /// Makes every plane wavy: up and down by `height_m`, `length_m` from crest to crest along x and along y.
-  Scene& bumps(double height_m, double length_m) {
-    bumps_.push_back({height_m, 2.0 * std::numbers::pi / length_m});
+  /// Makes every plane wavy where |y| > beyond_m: up and down by `height_m`, `length_m` from crest to crest
+  /// along x and along y.
+  Scene& bumps(double height_m, double length_m, double beyond_m = -1.0) {
+    bumps_.push_back({height_m, 2.0 * std::numbers::pi / length_m, beyond_m});
     return *this;
   }
 
@@ -147,7 +148,8 @@ class Scene {
   double bump(const Eigen::Vector3d& p) const {
     double height_m = 0.0;
     for (const Bump& b : bumps_)
-      height_m += b.height_m * std::sin(b.per_m * p.x()) * std::cos(b.per_m * p.y());
+      if (std::abs(p.y()) > b.beyond_m)
+        height_m += b.height_m * std::sin(b.per_m * p.x()) * std::cos(b.per_m * p.y());
     return height_m;
   }
 
@@ -180,7 +182,7 @@ class Scene {
   }
 
   struct Bump {
-    double height_m, per_m;
+    double height_m, per_m, beyond_m;
   };
   std::vector<Bump> bumps_;
   std::vector<Plane> planes_;

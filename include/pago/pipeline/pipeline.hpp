@@ -39,6 +39,8 @@ class Observer {
   virtual void on_sweep(const output::SweepRecord& record) = 0;
   /// Live runs: a pose was published (first and refined, for each sweep that has one).
   virtual void on_pose(const output::PoseV1&) {}
+  /// Once, when the first sweeps have shown whether the ground is where the mount has it.
+  virtual void on_mount(const ground::MountReport&) {}
   /// After each of the above, and at least ten times a second while nothing comes.
   virtual void on_status(const IngestStatus&) {}
 };
