@@ -113,9 +113,10 @@ TEST_CASE("scans come one by one, and a fault is told", "[pipeline][sweep_reader
 }
 
 TEST_CASE("another sensor's packets give no sweep and a reason", "[pipeline][sweep_reader]") {
-  const std::vector<test::PacketBytes> packets(2000);  // zeros
+  std::vector<test::PacketBytes> packets = street_drive();
+  for (auto& bytes : packets) bytes[1204] = 0x37, bytes[1205] = 0x22;  // strongest return, VLP-16
   test::MemorySource source(packets);
   SweepReader reader(Config{}, source, test::ideal_calibration());
   CHECK(reader.next() == nullptr);
-  CHECK_FALSE(reader.failure().empty());
+  CHECK(reader.failure().find("VLP-16") != std::string::npos);
 }

@@ -120,7 +120,7 @@ void judge(Report& out, const Contest& contest) {
 }
 
 void on_real_scan(Report& out) {
-  Contest contest({.height_m = 1.723});
+  Contest contest(Mount{.height_m = 1.723});
   KittiSource source(claims::recording("kitti/semantickitti_single"));
   Sweep sweep(KittiSource::kMaxPoints);
   while (source.fill(sweep)) contest.run(sweep);
