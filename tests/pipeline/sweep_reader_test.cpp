@@ -113,8 +113,14 @@ TEST_CASE("scans come one by one, and a fault is told", "[pipeline][sweep_reader
 }
 
 TEST_CASE("another sensor's packets give no sweep and a reason", "[pipeline][sweep_reader]") {
-  std::vector<test::PacketBytes> packets = street_drive();
-  for (auto& bytes : packets) bytes[1204] = 0x37, bytes[1205] = 0x22;  // strongest return, VLP-16
+  std::vector<test::PacketBytes> packets;
+  for (int i = 0; i < 100; ++i) {  // a VLP-16's: strongest return
+    test::PacketBuilder builder;
+    for (int block = 0; block < hdl64::kBlocks; ++block)
+      builder.flag(block, hdl64::kUpperBlock).block_azimuth_cdeg(block, (i * 240 + block * 20) % 36000);
+    builder.stamp_us(static_cast<std::uint32_t>(1000 + i * 1327)).status(0x37, 0x22);
+    packets.push_back(builder.bytes());
+  }
   test::MemorySource source(packets);
   SweepReader reader(Config{}, source, test::ideal_calibration());
   CHECK(reader.next() == nullptr);
