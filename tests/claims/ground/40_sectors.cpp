@@ -23,7 +23,7 @@ constexpr int kMinSectors = 2, kMaxSectors = 72;
 std::vector<test::GroundCase> cases() {
   std::vector<test::GroundCase> result;
   for (const test::GroundCase& c : test::ground_cases())
-    for (const char* name : {"patchwork", "patchwork-hdl64", "patchworkpp", "rgpf", "lego", "linefit"})
+    for (const char* name : {"patchwork", "patchworkpp", "rgpf", "lego", "linefit"})
       if (c.name == name) result.push_back(c);
   return result;
 }
