@@ -14,6 +14,11 @@ namespace {
 
 constexpr std::chrono::seconds kBetweenLosses{1};
 
+/// One line; paths in it need not be UTF-8.
+std::string line_of(const nlohmann::ordered_json& json) {
+  return json.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
+}
+
 std::uint64_t no_free_sweep(const IngestStatus& status) {
   return status.sweeps.no_free_sweep;
 }
@@ -138,12 +143,12 @@ std::string LiveObserver::handle(output::Request request) {
     case output::Request::kTrace: {
       const std::string file = recorder_.save_trace();
       if (file.empty()) return R"({"error": "no trace: output.trace_sweeps is 0, or no sweep has come yet"})";
-      return nlohmann::json{{"trace", file}}.dump();
+      return line_of({{"trace", file}});
     }
   }
   const std::vector<std::string> complaints = recorder_.complaints();
-  if (!complaints.empty()) return nlohmann::json{{"error", complaints.front()}}.dump();
-  return nlohmann::json{{"folder", recorder_.folder().string()}}.dump();
+  if (!complaints.empty()) return line_of({{"error", complaints.front()}});
+  return line_of({{"folder", recorder_.folder().string()}});
 }
 
 std::string LiveObserver::status_json() const {
@@ -153,9 +158,10 @@ std::string LiveObserver::status_json() const {
   const nlohmann::ordered_json json = {
       {"state", to_string(state)},
       {"explanation", explain(state, now_, source_)},
-      {"health", to_string(health_)},
+      {"health", to_string(static_cast<Health>(newest_.health))},
+      {"reason", to_string(static_cast<HealthReason>(newest_.reason))},
       {"uptime_s", std::chrono::duration<double>(Clock::now() - start_).count()},
-      {"rotation_hz", now_.rotation_hz},
+      {"rotation_hz", state == StreamState::kRunning ? now_.rotation_hz : 0.0},
       {"poses", recorder_.totals().num_poses},
       {"length_m", recorder_.totals().length_m},
       {"position_m", newest_.position_m},
@@ -164,7 +170,7 @@ std::string LiveObserver::status_json() const {
       {"packets", {{"received", now_.packets.received}, {"decoded", now_.packets.decoded}}},
       {"lost", losses({}, now_, superseded_)},
       {"folder", recorder_.folder().string()}};
-  return json.dump();
+  return line_of(json);
 }
 
 std::vector<std::string> LiveObserver::complaints() const {

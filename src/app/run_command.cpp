@@ -67,13 +67,17 @@ struct Prepared {
   bool is_live;
   std::unique_ptr<Pipeline> pipeline;
   LiveOutlets outlets;
+  std::string recorded_hash;  // of the live run's poses, if it is repeated
 
   OpenPackets* packets() { return std::get_if<OpenPackets>(&source); }
 };
 
 Prepared prepare(const RunOptions& options, Config& config) {
-  Prepared run{
-      .source = open_source(options.source, config), .is_live = false, .pipeline = {}, .outlets = {}};
+  Prepared run{.source = open_source(options.source, config),
+               .is_live = false,
+               .pipeline = {},
+               .outlets = {},
+               .recorded_hash = {}};
   const OpenPackets* const packets = run.packets();
   if (!options.as_recorded.empty() && (packets == nullptr || packets->is_live || options.is_realtime))
     throw Error(options.as_recorded, "goes with a capture of the live run's packets, replayed");
@@ -87,6 +91,7 @@ Prepared prepare(const RunOptions& options, Config& config) {
   }
   const output::Decisions decisions =
       options.as_recorded.empty() ? output::Decisions{} : output::read_decisions(options.as_recorded);
+  run.recorded_hash = decisions.hash;
   run.pipeline = std::make_unique<Pipeline>(config, run.is_live ? Pace::kLive : Pace::kReplay, decisions);
   if (run.is_live) {
     run.outlets = open_outlets(config);
@@ -105,7 +110,7 @@ RunSummary go_live(Prepared& run,
   LiveObserver observer(
       run.outlets, options.source, config.mount, recorder,
       [&](const IngestStatus& now) {
-        return report_so_far(now, options.source, config, seconds_since(start));
+        return report_so_far(now, recorder.totals(), options.source, config, seconds_since(start));
       },
       [&] { run.pipeline->request_reset(); });
   OpenPackets& open = *run.packets();
@@ -113,8 +118,9 @@ RunSummary go_live(Prepared& run,
   std::optional<PacedSource> paced;
   if (!open.is_live) paced.emplace(*open.packets);
   PacketSource& source = paced ? *paced : *open.packets;
-  const RunSummary summary = run.pipeline->run(source, open.calibration, observer, stop_flag());
+  RunSummary summary = run.pipeline->run(source, open.calibration, observer, stop_flag());
   for (const std::string& complaint : observer.complaints()) complaints.push_back(complaint);
+  if (open.is_live && !summary.interrupted && summary.failure.empty()) summary.failure = summary.complaint;
   return summary;
 }
 
@@ -152,11 +158,16 @@ int run_command(const RunOptions& options) {
   };
   add({summary.complaint, summary.failure});
   add(doubts(summary, recorder->totals(), run.source, config.mount));
+  const bool is_repeated = run.recorded_hash.empty() || run.recorded_hash == recorder->totals().hash.hex();
+  if (!is_repeated)
+    add({"the poses are not those of " + options.as_recorded +
+         ": its settings or calibration were others, or these are not the packets that it received"});
   add(recorder->complaints());
   if (!summary.balanced()) add({"the counters do not add up, see run.json"});
   for (const std::string& complaint : complaints)
     if (!complaint.empty()) std::cerr << "pago: " << complaint << '\n';
-  return exit_code(summary, recorder->totals(), recorder->complaints().empty(), run.is_live);
+  const bool is_recorded = recorder->complaints().empty() && summary.unrecorded == 0 && is_repeated;
+  return exit_code(summary, recorder->totals(), is_recorded, run.is_live);
 }
 
 }  // namespace

@@ -68,7 +68,10 @@ TEST_CASE("started before its sensor, a live run waits, says so, and goes on whe
   CHECK(status["packets"]["decoded"] == live.folder.num_packets());
 
   const std::string saved = live.ctl("save")["folder"];
-  CHECK(fs::exists(live.folder.path() / saved / "run.json"));
+  const auto so_far = nlohmann::json::parse(read_text(live.folder.path() / saved / "run.json"));
+  CHECK(so_far["sweeps"]["posed"] == so_far["trajectory"]["poses"]);
+  CHECK(so_far["sweeps"]["balanced"] == true);
+  CHECK(so_far["decisions"]["complete"] == false);
   CHECK(fs::exists(live.folder.path() / live.ctl("trace")["trace"].get<std::string>()));
   live.ctl("reset");
 
@@ -82,7 +85,9 @@ TEST_CASE("started before its sensor, a live run waits, says so, and goes on whe
   CHECK(report["sweeps"]["balanced"] == true);
   CHECK(report["datagrams"]["balanced"] == true);
   const std::string lines = read_text(live.folder.path() / "poses.jsonl");
-  CHECK(std::count(lines.begin(), lines.end(), '\n') == report["trajectory"]["poses"].get<int>());
+  // One for each pose; and when the sensor had fallen silent, the last one again, as lost.
+  CHECK(std::count(lines.begin(), lines.end(), '\n') == report["trajectory"]["poses"].get<int>() + 1);
+  CHECK(lines.find("\"no data\"") != std::string::npos);
 }
 
 TEST_CASE("a live run whose sensor never comes ends well when it is stopped", "[app][live]") {

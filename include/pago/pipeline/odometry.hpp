@@ -62,8 +62,8 @@ struct Scan {
 /// to be found (second scan, time gap).
 class Odometry {
  public:
-  /// Allocates all that will be needed. Throws Error: a setting that cannot be used, a ground method that needs
-  /// labels.
+  /// Allocates all that will be needed. Throws Error: a setting that cannot be used, a ground method that
+  /// needs labels.
   explicit Odometry(const Config& config = {});
   ~Odometry();
   Odometry(Odometry&&) noexcept;
