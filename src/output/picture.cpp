@@ -7,6 +7,7 @@
 #include <string>
 
 #include "pago/core/error.hpp"
+#include "pago/output/text_file.hpp"
 
 namespace pago::output {
 
@@ -24,8 +25,15 @@ void Picture::save(const std::filesystem::path& file) const {
   image.width = static_cast<png_uint_32>(width_);
   image.height = static_cast<png_uint_32>(height_);
   image.format = PNG_FORMAT_RGB;
-  if (png_image_write_to_file(&image, file.c_str(), 0, pixels_.data(), 0, nullptr) == 0)
-    throw Error(file.string(), std::string("cannot be written: ") + image.message);
+  // Through memory: png_image_write_to_file() deletes a file that it cannot write, whatever it is.
+  png_alloc_size_t size = 0;
+  if (png_image_write_get_memory_size(image, size, 0, pixels_.data(), 0, nullptr) == 0)
+    throw Error(file.string(), std::string("cannot be made: ") + image.message);
+  std::string bytes(size, '\0');
+  if (png_image_write_to_memory(&image, bytes.data(), &size, 0, pixels_.data(), 0, nullptr) == 0)
+    throw Error(file.string(), std::string("cannot be made: ") + image.message);
+  bytes.resize(size);
+  write_file(file, bytes);
 }
 
 }  // namespace pago::output
