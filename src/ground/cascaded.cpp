@@ -60,17 +60,17 @@ class Cascaded final : public Segmenter {
 
   /// A section ends where the beam that is so many down hits level ground; the last one has no end.
   void set_bounds(double height_m) noexcept {
-    bounds_m_.fill(std::numeric_limits<float>::infinity());
+    bounds_m_.fill(std::numeric_limits<double>::infinity());
     const int beams = (kNumRings + config_.sections - 1) / config_.sections;
     for (int s = 0; s + 1 < config_.sections; ++s) {
       const double below_rad = beam_below_horizon_deg(kNumRings - beams * (s + 1)) * std::numbers::pi / 180.0;
-      bounds_m_[static_cast<std::size_t>(s)] = static_cast<float>(height_m / std::tan(below_rad));
+      bounds_m_[static_cast<std::size_t>(s)] = height_m / std::tan(below_rad);
     }
   }
 
   /// Quadrants lie ahead, left, behind, right, and meet at 45 degrees.
   void divide(const Coordinates& returns, const Sweep& sweep) noexcept {
-    const std::array<float, kSections> bounds_m = bounds_m_;
+    const std::array<double, kSections> bounds_m = bounds_m_;
     const std::uint8_t* const is_candidate = sweep.ground.data();
     const std::uint32_t size = sweep.size;
     regions_.begin();
@@ -78,7 +78,8 @@ class Cascaded final : public Segmenter {
 #pragma omp simd
     for (std::uint32_t i = 0; i < size; ++i) {
       const float x = returns.x_m[i], y = returns.y_m[i];
-      const float range = std::sqrt(x * x + y * y);
+      const double along = static_cast<double>(x), across = static_cast<double>(y);
+      const double range = std::sqrt(along * along + across * across);
       const std::int32_t left = y >= x ? 1 : 0, front = y >= -x ? 1 : 0;
       const std::int32_t quadrant = left != 0 ? 2 - front : 3 - 3 * front;
       const std::int32_t section =
@@ -111,7 +112,7 @@ class Cascaded final : public Segmenter {
   bool continues(const PlaneFit& before, const PlaneFit& plane, int quadrant, int section) const noexcept {
     if (!before.is_valid) return true;
     const double azimuth = quadrant * std::numbers::pi / 2.0;
-    const double border_m = static_cast<double>(bounds_m_[static_cast<std::size_t>(section) - 1]);
+    const double border_m = bounds_m_[static_cast<std::size_t>(section) - 1];
     const Eigen::Vector2d meeting(border_m * std::cos(azimuth), border_m * std::sin(azimuth));
     const double step_m = std::abs(plane.height_at(meeting) - before.height_at(meeting));
     const double min_cosine = std::cos(config_.max_angle_deg * std::numbers::pi / 180.0);
@@ -131,8 +132,8 @@ class Cascaded final : public Segmenter {
   Leveller level_;
   RingChains chains_;
   BinSort regions_;
-  std::array<float, kSections> bounds_m_{};  // where sections end
-  std::array<Slab, kRegions + 1> ground_{};  // per region, and nothing for the rest
+  std::array<double, kSections> bounds_m_{};  // where sections end
+  std::array<Slab, kRegions + 1> ground_{};   // per region, and nothing for the rest
 };
 
 }  // namespace

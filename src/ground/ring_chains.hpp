@@ -33,14 +33,16 @@ class RingChains {
 
  private:
   static constexpr std::size_t kRows = 64, kColumns = 2083;  // as in the authors' code
+  static constexpr std::uint32_t kOutside = kRows * kColumns, kUnclearCell = kOutside + 1;
 
   void project(const Coordinates& returns, std::uint32_t size) noexcept;
+  std::uint32_t exact_cell(const Coordinates& returns, std::uint32_t i) const noexcept;
   void follow_column(const Coordinates& returns,
                      const std::int32_t* cells,
                      std::uint8_t* is_candidate) const noexcept;
 
   CascadedConfig config_;
-  std::array<float, kRows> reach_m_{};   // [row]: sum of the spacings of all rows below it
+  std::array<double, kRows> reach_m_{};  // [row]: sum of the spacings of all rows below it
   AlignedArray<std::uint32_t> cell_of_;  // per return
   AlignedArray<std::int32_t> image_;     // column by column; one more cell: returns outside
 };
