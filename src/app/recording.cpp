@@ -81,10 +81,8 @@ output::RunReport report_so_far(const IngestStatus& status,
 
 std::vector<std::string> doubts(const RunSummary& summary,
                                 const output::RunTotals& totals,
-                                const OpenSource& source,
-                                const Mount& mount) {
+                                const OpenSource& source) {
   std::vector<std::string> result;
-  if (summary.mount.is_warning()) result.push_back(ground::to_text(summary.mount, mount));
   const PacketCounters& packets = summary.packets;
   if (summary.failure.empty() && totals.num_poses == 0)
     result.emplace_back("no complete rotation, so no pose");

@@ -29,8 +29,7 @@ output::RunReport report_so_far(const IngestStatus& status,
 /// What a user should know about a run that went through.
 std::vector<std::string> doubts(const RunSummary& summary,
                                 const output::RunTotals& totals,
-                                const OpenSource& source,
-                                const Mount& mount);
+                                const OpenSource& source);
 
 /// A stream that gave nothing is bad input; a run that broke off half-way, or lost count, has failed.
 int exit_code(const RunSummary& summary, const output::RunTotals& totals, bool is_recorded, bool is_live);

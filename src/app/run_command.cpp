@@ -157,7 +157,9 @@ int run_command(const RunOptions& options) {
     complaints.insert(complaints.end(), more.begin(), more.end());
   };
   add({summary.complaint, summary.failure});
-  add(doubts(summary, recorder->totals(), run.source, config.mount));
+  add(doubts(summary, recorder->totals(), run.source));
+  // A live run has said it when the verdict fell.
+  if (!run.is_live) add({ground::to_text(summary.mount, config.mount)});
   const bool is_repeated = run.recorded_hash.empty() || run.recorded_hash == recorder->totals().hash.hex();
   if (!is_repeated)
     add({"the poses are not those of " + options.as_recorded +

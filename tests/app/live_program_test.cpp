@@ -127,5 +127,9 @@ TEST_CASE("a capture replayed in real time behaves as live, scans cannot be", "[
   REQUIRE(outcome.exit_code == 0);
   CHECK_FALSE(read_text(folder.path() / "poses.jsonl").empty());
   const std::string log = read_text(folder.path() / "results/latest/log.txt");
-  CHECK(log.find("mount.height_m is 1.20; try --set mount.height_m=1.7") != std::string::npos);
+  constexpr std::string_view kWarning = "mount.height_m is 1.20; try --set mount.height_m=1.7";
+  CHECK(log.find(kWarning) != std::string::npos);
+  const std::size_t first = outcome.err.find(kWarning);
+  REQUIRE(first != std::string::npos);
+  CHECK(outcome.err.find(kWarning, first + 1) == std::string::npos);  // said when it falls, and not again
 }
