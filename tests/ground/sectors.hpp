@@ -42,8 +42,17 @@ class SectorWatch {
     }
     is_open_ = !part.last;
     if (!part.last) return;
-    ++sweeps_;
     for (Pair& pair : pairs_) compare(pair, sweep);
+    ++sweeps_;
+    ++round_sweeps_;
+  }
+
+  /// From here on the sweeps begin with the same one again and again, by begin_anew(): what they give as
+  /// whole ones is kept after the first time.
+  void repeat() { is_repeated_ = true; }
+  void begin_anew() {
+    round_sweeps_ = 0;
+    for (Pair& pair : pairs_) pair.in_sectors->reset();
   }
 
   int sweeps() const { return sweeps_; }
@@ -67,16 +76,20 @@ class SectorWatch {
     std::string name;
     std::unique_ptr<ground::Segmenter> in_sectors, whole;
     AlignedArray<std::uint8_t> mask;
+    std::vector<std::vector<std::uint8_t>> kept;  // of whole sweeps
     long different = 0;
   };
 
-  static void compare(Pair& pair, Sweep& sweep) {
-    segment(*pair.whole, sweep);
-    for (std::uint32_t i = 0; i < sweep.size; ++i) pair.different += pair.mask[i] != sweep.ground[i] ? 1 : 0;
+  void compare(Pair& pair, Sweep& sweep) const {
+    if (!is_repeated_ || round_sweeps_ == pair.kept.size()) segment(*pair.whole, sweep);
+    if (is_repeated_ && round_sweeps_ == pair.kept.size()) pair.kept.push_back(mask_of(sweep));
+    const std::uint8_t* const whole = is_repeated_ ? pair.kept[round_sweeps_].data() : sweep.ground.data();
+    for (std::uint32_t i = 0; i < sweep.size; ++i) pair.different += pair.mask[i] != whole[i] ? 1 : 0;
   }
 
   std::vector<Pair> pairs_;
-  bool is_open_ = false;
+  bool is_open_ = false, is_repeated_ = false;
+  std::size_t round_sweeps_ = 0;
   int sweeps_ = 0, parts_ = 0;
 };
 

@@ -23,7 +23,7 @@ constexpr int kMinSectors = 2, kMaxSectors = 72;
 std::vector<test::GroundCase> cases() {
   std::vector<test::GroundCase> result;
   for (const test::GroundCase& c : test::ground_cases())
-    for (const char* name : {"patchwork", "patchworkpp", "rgpf", "lego", "linefit"})
+    for (const char* name : {"patchwork", "patchwork-hdl64", "patchworkpp", "rgpf", "lego", "linefit"})
       if (c.name == name) result.push_back(c);
   return result;
 }
@@ -41,7 +41,9 @@ void on_drive(Report& out) {
   while (whole.next() != nullptr) {
   }
   SectorWatch watch(cases(), Mount{});
+  watch.repeat();
   for (int sectors = kMinSectors; sectors <= kMaxSectors; ++sectors) {
+    watch.begin_anew();
     test::RecordedSweeps drive(folder / "drive_0005.pcap", folder / "calibration.yaml", sectors,
                                [&](const SweepPart& part) { watch.take(part); });
     while (drive.next() != nullptr) {
