@@ -13,8 +13,14 @@ void PacketCopy::take(const StampedPacket& packet) noexcept {
   arrival_ns = packet.arrival_ns;
 }
 
-PacketSequencer::PacketSequencer(int window, std::int64_t packet_period_ns)
-    : packet_period_ns_(packet_period_ns), window_(static_cast<std::size_t>(window)), slots_(window_ + 1) {}
+PacketSequencer::PacketSequencer(int window)
+    : window_(static_cast<std::size_t>(window)), slots_(window_ + 1) {}
+
+void PacketSequencer::set_format(const hdl64::StreamFormat& format) noexcept {
+  assert(held_ == 0);
+  packet_period_ns_ = format.packet_period_ns();
+  firings_per_packet_ = static_cast<std::uint64_t>(format.firings());
+}
 
 PacketSequencer::Verdict PacketSequencer::offer(const StampedPacket& packet) noexcept {
   const Identity identity = identify(packet);
@@ -66,10 +72,11 @@ bool PacketSequencer::is_known(const Identity& packet) const noexcept {
 
 void PacketSequencer::emit(const Identity& packet) noexcept {
   // Held packets may lie closer together than a period where a stamp is damaged: each counts as one.
-  const std::int64_t periods = started_ ? std::max<std::int64_t>(1, periods_after_last(packet.time_ns)) : 1;
-  firings_.expected += static_cast<std::uint64_t>(periods * hdl64::kFirings);
-  firings_.lost += static_cast<std::uint64_t>((periods - 1) * hdl64::kFirings);
-  firings_.decoded += hdl64::kFirings;
+  const auto periods = static_cast<std::uint64_t>(
+      started_ ? std::max<std::int64_t>(1, periods_after_last(packet.time_ns)) : 1);
+  firings_.expected += periods * firings_per_packet_;
+  firings_.lost += (periods - 1) * firings_per_packet_;
+  firings_.decoded += firings_per_packet_;
   started_ = true;
   last_ns_ = packet.time_ns;
   recent_[next_recent_] = packet;

@@ -9,7 +9,7 @@
 
 #include "assembly/collector.hpp"
 #include "pago/assembly/packet_ingest.hpp"
-#include "support/packet_builder.hpp"
+#include "support/packet_stream.hpp"
 
 namespace pago::test {
 

@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <array>
 #include <cstdint>
+#include <memory>
 
 #include "pago/assembly/sweep_exchange.hpp"
 #include "pago/config/assembly.hpp"
-#include "pago/hdl64/firing_decoder.hpp"
+#include "pago/hdl64/packet_decoder.hpp"
 
 namespace pago {
 
@@ -48,13 +48,17 @@ struct AssemblyCounters {
 /// [set-up] constructor; [ingest thread] the rest, real-time safe.
 class Assembler {
  public:
-  Assembler(const AssemblyConfig& config,
-            const hdl64::Calibration& calibration,
-            SweepExchange& exchange,
-            std::int64_t firing_period_ns = hdl64::kFiringPeriod_ns);
+  Assembler(const AssemblyConfig& config, const hdl64::Calibration& calibration, SweepExchange& exchange);
+  ~Assembler();
 
-  /// Takes the next firing, in order of time.
-  void add(const Firing& firing, const hdl64::FiringReturns& returns) noexcept;
+  /// What kind of firings come from now on: single return and 48 us apart unless said otherwise. No sweep may
+  /// be open.
+  void set_format(const hdl64::StreamFormat& format) noexcept;
+
+  /// Takes the next firing, in order of time. `others`, dual return only, are what its lasers saw besides.
+  void add(const Firing& firing,
+           const hdl64::FiringReturns& strongest,
+           const hdl64::FiringReturns* others = nullptr) noexcept;
 
   /// The stream broke off and will go on elsewhere (clock restarted, head stopped or jumped): ends the open
   /// sweep. Without effect when nothing was added since the last call.
@@ -78,15 +82,18 @@ class Assembler {
     std::int64_t time_ns = 0;
     double turn = 0.0, step = 0.0;  ///< rotations since the cut azimuth; and from firing to firing
   };
-  using Lanes = std::array<std::int32_t, hdl64::kLasers>;  ///< one per laser
+  struct Lanes;  // per laser, and the newest columns
 
   std::int64_t steps_after_last(std::int64_t time_ns) const noexcept;
   int cross_cut(const Firing& firing, double turn, double step, std::int64_t rotation) noexcept;
   void open(const Firing& firing, int columns, bool after_gap) noexcept;
   void aim_lasers(double step) noexcept;
-  void append(const hdl64::FiringReturns& returns, int column, std::int32_t offset_ns) noexcept;
-  void fetch_rows_ahead(const std::int32_t* cells, int column) const noexcept;
-  void fetch_arrays_ahead() noexcept;
+  void append(const Firing& firing,
+              int column,
+              const hdl64::FiringReturns& strongest,
+              const hdl64::FiringReturns* others) noexcept;
+  void fill_cells(std::uint64_t valid, int column) noexcept;
+  void write_cells() noexcept;
   void hand_on_sectors() noexcept;
   void close_at_cut(int lost_before_cut) noexcept;
   void close_within_rotation(std::uint32_t flags) noexcept;
@@ -96,10 +103,10 @@ class Assembler {
 
   SweepExchange& exchange_;
   double cut_rev_;
-  std::int64_t firing_period_ns_;
+  std::int64_t firing_period_ns_ = hdl64::kFiringPeriod_ns;
+  std::uint32_t room_ = hdl64::kLasers;  // that a firing's returns may need
   int sectors_;
-  std::array<double, hdl64::kLasers> laser_rotation_rev_{};
-  Lanes laser_ring_{};
+  std::unique_ptr<Lanes> lanes_;
 
   std::int64_t rotation_ = 0;  // the present one, by the encoder
   std::uint64_t sequence_ = 0;
@@ -112,8 +119,6 @@ class Assembler {
   double start_turn_ = 0.0;
   bool is_first_of_stream_ = false;
   int expected_from_ = 0, filled_until_ = 0;  // columns in which firings were due, and were had
-  Lanes shift_{};                             // of a laser's column against the firing's
-  Lanes cell_{};                              // where a laser's column 0 lies in the range image
   int lowest_shift_ = 0;
   int sector_columns_ = 0, next_sector_column_ = 0;
   int parts_handed_on_ = 0;

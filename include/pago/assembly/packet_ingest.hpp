@@ -10,7 +10,9 @@
 #include "pago/assembly/packet_sequencer.hpp"
 #include "pago/config/hdl64.hpp"
 #include "pago/core/sources.hpp"
+#include "pago/hdl64/arrival_clock.hpp"
 #include "pago/hdl64/device_clock.hpp"
+#include "pago/hdl64/packet_decoder.hpp"
 #include "pago/hdl64/rotation_tracker.hpp"
 #include "pago/hdl64/stream_probe.hpp"
 
@@ -18,7 +20,7 @@ namespace pago {
 
 /// The way of a datagram into a sweep:
 ///
-///   check -> sensor time -> order -> (hold) -> rotation -> decode -> assemble
+///   identify -> check -> sensor time -> order -> (hold) -> rotation -> decode -> assemble
 ///
 /// At the start of a stream, after a silence of more than 50 ms, a restart of the sensor's clock, or when the
 /// head is not where it was expected, 64 packets (18 ms) are held back: they tell which sensor it is (at the
@@ -48,6 +50,8 @@ class PacketIngest {
   std::string refusal() const;
   /// What the stream comes from; kUnknown until that is certain.
   hdl64::SensorKind sensor() const noexcept { return probe_.kind(); }
+  /// How its packets are laid out; has no meaning before the sensor is known.
+  const hdl64::StreamFormat& format() const noexcept { return format_; }
 
   PacketCounters packets() const noexcept;
   const FiringCounters& firings() const noexcept { return sequencer_.firings(); }
@@ -59,25 +63,35 @@ class PacketIngest {
   std::uint64_t clock_restarts() const noexcept { return clock_.restarts(); }
 
  private:
+  using Bytes = std::span<const std::uint8_t, hdl64::kPacketBytes>;
   static constexpr std::size_t kHold = 64;
 
   void identify(const Datagram& datagram) noexcept;
+  void set_format(const hdl64::StreamFormat& format) noexcept;
+  void take(Bytes bytes, std::int64_t arrival_ns) noexcept;
+  hdl64::DeviceClock::Reading read_clock(Bytes bytes, std::int64_t arrival_ns) noexcept;
+  void refuse(PacketFault fault) noexcept;
   void restart_clock() noexcept;
   void sequence(const StampedPacket& packet) noexcept;
   void accept(const StampedPacket& packet) noexcept;
   void hold(const StampedPacket& packet) noexcept;
   void release_held() noexcept;
+  void measure_times() noexcept;
   void assemble(const StampedPacket& packet) noexcept;
 
   hdl64::StreamProbe probe_;
+  hdl64::StreamFormat format_;
   hdl64::DeviceClock clock_;
+  hdl64::ArrivalClock arrival_clock_;
   PacketSequencer sequencer_;
   hdl64::RotationTracker tracker_;
-  hdl64::FiringDecoder decoder_;
+  hdl64::PacketDecoder decoder_;
   Assembler assembler_;
 
-  std::int64_t stamp_to_first_firing_ns_;
+  PacketStamp stamp_names_;
   bool is_identified_ = false, is_refused_ = false;
+  std::vector<PacketCopy> unidentified_;
+  std::size_t num_unidentified_ = 0;
 
   bool is_holding_ = true;
   bool is_same_clock_ = false;  // as before the packets that are held
@@ -86,7 +100,7 @@ class PacketIngest {
   std::size_t num_held_ = 0;
   std::int64_t newest_ns_ = 0;
 
-  hdl64::FiringReturns returns_{};
+  hdl64::PacketReturns returns_{};
   PacketCounters packets_;
 };
 

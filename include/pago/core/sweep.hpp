@@ -50,6 +50,14 @@ struct SweepHeader {
   bool is_posed() const noexcept { return (flags & (kPartialStart | kPartialEnd | kSuperseded)) == 0; }
 };
 
+/// What a return is among those that one laser had of one firing; bits of Sweep::echo. 0 is the strongest and
+/// the last in one: a laser's only return, and all of a sensor in single-return mode.
+enum Echo : std::uint8_t {
+  kNotLast = 1U << 0,  ///< a farther return was weaker
+  kNotStrongest =
+      1U << 1  ///< dual return only: a stronger return came with it, and has their range image's cell
+};
+
 /// Ground mask values.
 inline constexpr std::uint8_t kNonGround = 0;
 inline constexpr std::uint8_t kGround = 1;
@@ -78,6 +86,7 @@ struct Sweep {
         z_m(max_returns),
         intensity(max_returns),
         ring(max_returns),
+        echo(max_returns),
         column(max_returns),
         time_offset_ns(max_returns),
         label(max_returns),
@@ -93,11 +102,13 @@ struct Sweep {
 
   SweepHeader header;
 
-  // --- assembler: returns in arrival order, [0, size)
+  // --- assembler: returns in arrival order, [0, size). Dual return: a firing's strongest first, then what
+  // its lasers saw besides. The range image holds the strongest only, so what works on it sees nothing twice.
   std::uint32_t size = 0;
   AlignedArray<float> x_m, y_m, z_m;
   AlignedArray<std::uint8_t> intensity;
   AlignedArray<std::uint8_t> ring;  ///< 0 lowest, by this unit's vertical angles
+  AlignedArray<std::uint8_t> echo;  ///< Echo bits
   AlignedArray<std::uint16_t> column;
   AlignedArray<std::int32_t> time_offset_ns;  ///< firing time after header.start_ns
   RangeImage range_image;
