@@ -66,8 +66,9 @@ void Assembler::add(const Firing& firing,
   if (!last_.is_valid || rotation > rotation_) {
     column = cross_cut(firing, turn, step, rotation);
   } else {
-    column = static_cast<int>(
-        std::min<std::int64_t>(last_.column + steps_after_last(firing.time_ns), kMaxColumns));
+    const std::int64_t steps = steps_after_last(firing.time_ns);
+    column = static_cast<int>(std::min<std::int64_t>(last_.column + steps, kMaxColumns));
+    if (firing.is_after_blind) blind_ += column - last_.column - 1;
     if (open_ != nullptr && (column == kMaxColumns || open_->size + room_ > open_->capacity()))
       close_within_rotation(kOverfull);
   }
@@ -75,6 +76,16 @@ void Assembler::add(const Firing& firing,
   if (open_ == nullptr) return;
   append(firing, column, strongest, others);
   if (sectors_ > 1) hand_on_sectors();
+}
+
+void Assembler::end_rotation() noexcept {
+  if (open_ == nullptr) return;
+  const double to_cut = (static_cast<double>(rotation_ + 1) - last_.turn) / last_.step;
+  const int columns = std::min(
+      std::max(filled_until_, static_cast<int>(filled_until_ + std::lround(to_cut) - 1)), kMaxColumns);
+  blind_ += columns - filled_until_;
+  complete_header(static_cast<double>(rotation_ + 1), columns, columns, 0);
+  hand_on();
 }
 
 void Assembler::interrupt() noexcept {
@@ -108,12 +119,14 @@ int Assembler::cross_cut(const Firing& firing, double turn, double step, std::in
       const double to_cut = (static_cast<double>(rotation_ + 1) - last_.turn) / last_.step;
       lost_before_cut = std::clamp<std::int64_t>(std::llround(to_cut) - 1, 0, lost_before_cut);
     }
-    close_at_cut(static_cast<int>(std::min<std::int64_t>(lost_before_cut, kMaxColumns)));
+    close_at_cut(static_cast<int>(std::min<std::int64_t>(lost_before_cut, kMaxColumns)),
+                 firing.is_after_blind);
   }
   const bool after_gap = goes_on ? rotation > rotation_ + 1 : !is_first_;
   if (!is_first_) sequence_ += static_cast<std::uint64_t>(std::max<std::int64_t>(1, rotation - rotation_));
   rotation_ = rotation;
   expected_from_ = column - static_cast<int>(lost_after_cut);
+  blind_ = firing.is_after_blind ? static_cast<int>(lost_after_cut) : 0;
   start_turn_ = goes_on ? static_cast<double>(rotation) : std::max(turn, static_cast<double>(rotation));
   aim_lasers(step);
   open(firing, columns_of_rotation(step), after_gap);
@@ -201,9 +214,10 @@ void Assembler::hand_on_sectors() noexcept {
   exchange_.hand_on({open_, open_->size, static_cast<std::uint32_t>(closed_until), false});
 }
 
-void Assembler::close_at_cut(int lost_before_cut) noexcept {
+void Assembler::close_at_cut(int lost_before_cut, bool is_blind) noexcept {
   if (open_ == nullptr) return;
   const int columns = std::min(filled_until_ + lost_before_cut, kMaxColumns);
+  if (is_blind) blind_ += columns - filled_until_;
   complete_header(static_cast<double>(rotation_ + 1), columns, columns, 0);
   spare_ = exchange_.acquire();
   if (spare_ != nullptr || parts_handed_on_ > 0) return hand_on();
@@ -223,13 +237,16 @@ void Assembler::close_within_rotation(std::uint32_t flags) noexcept {
 void Assembler::complete_header(double end_turn, int due_until, int columns, std::uint32_t flags) noexcept {
   SweepHeader& header = open_->header;
   header.num_columns = static_cast<std::uint32_t>(columns);
-  header.firings_lost = static_cast<std::uint32_t>(due_until - expected_from_) - header.firings_received;
+  header.clock_offset_ns = clock_offset_ns_;
+  header.firings_blind = static_cast<std::uint32_t>(blind_);
+  header.firings_lost =
+      static_cast<std::uint32_t>(due_until - expected_from_ - blind_) - header.firings_received;
   header.rotation_rev = static_cast<float>(end_turn - start_turn_);
   const bool is_whole = end_turn - start_turn_ >= kWhole;
   const bool began_late = is_first_of_stream_ && start_turn_ > static_cast<double>(rotation_ + 1) - kWhole;
   if (is_whole) flags &= ~std::uint32_t{kPartialEnd};
   header.flags |= flags | (began_late ? kPartialStart : 0U);
-  const bool is_thin = !is_whole || header.firings_received < kWhole * columns;
+  const bool is_thin = !is_whole || header.firings_received < kWhole * (columns - blind_);
   if (is_thin && header.is_posed()) header.flags |= kIncomplete;
 }
 

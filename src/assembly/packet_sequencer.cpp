@@ -17,7 +17,6 @@ PacketSequencer::PacketSequencer(int window)
     : window_(static_cast<std::size_t>(window)), slots_(window_ + 1) {}
 
 void PacketSequencer::set_format(const hdl64::StreamFormat& format) noexcept {
-  assert(held_ == 0);
   packet_period_ns_ = format.packet_period_ns();
   firings_per_packet_ = static_cast<std::uint64_t>(format.firings());
 }
@@ -58,6 +57,11 @@ void PacketSequencer::restart() noexcept {
   recent_ = {};
 }
 
+void PacketSequencer::excuse(std::uint64_t firings) noexcept {
+  firings_.lost -= firings;
+  firings_.blind += firings;
+}
+
 std::int64_t PacketSequencer::periods_after_last(std::int64_t time_ns) const noexcept {
   const std::int64_t passed_ns = time_ns - last_ns_ + packet_period_ns_ / 2;
   if (passed_ns >= packet_period_ns_ && passed_ns < 2 * packet_period_ns_) return 1;  // spares the division
@@ -72,8 +76,8 @@ bool PacketSequencer::is_known(const Identity& packet) const noexcept {
 
 void PacketSequencer::emit(const Identity& packet) noexcept {
   // Held packets may lie closer together than a period where a stamp is damaged: each counts as one.
-  const auto periods = static_cast<std::uint64_t>(
-      started_ ? std::max<std::int64_t>(1, periods_after_last(packet.time_ns)) : 1);
+  periods_on_ = started_ ? std::max<std::int64_t>(1, periods_after_last(packet.time_ns)) : 1;
+  const auto periods = static_cast<std::uint64_t>(periods_on_);
   firings_.expected += periods * firings_per_packet_;
   firings_.lost += (periods - 1) * firings_per_packet_;
   firings_.decoded += firings_per_packet_;

@@ -207,6 +207,7 @@ void StatusReader::conclude() noexcept {
     checksum = Checksum::kAgreed;
   if (checksum == Checksum::kNone || !read_lasers()) return;
   checksum_ = checksum;
+  ++readings_;
   if (checksum == Checksum::kLength) status_.warnings = place(kParameterByte + 24).value;
 }
 

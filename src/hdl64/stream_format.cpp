@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "pago/hdl64/stream_format.hpp"
 
-#include <cstdlib>
-
 namespace pago::hdl64 {
 namespace {
 
@@ -143,13 +141,11 @@ StreamFormat format_of(SensorKind kind, std::int64_t packet_period_ns) noexcept 
   StreamFormat format{.kind = kind};
   if (kind == SensorKind::kHdl64S1) format.firing_period_ns = kFiringPeriodS1_ns;
   if (!format.has_stamps()) return format;
-  if (packet_period_ns == 0) {
-    format.firing_period_ns = format.is_dual() ? kFiringPeriodS3_ns : kFiringPeriod_ns;
-  } else {
-    const std::int64_t period_ns = packet_period_ns / format.firings();
-    const bool is_s3 = std::abs(period_ns - kFiringPeriodS3_ns) < std::abs(period_ns - kFiringPeriod_ns);
-    format.firing_period_ns = is_s3 ? kFiringPeriodS3_ns : kFiringPeriod_ns;
+  for (const std::int64_t period_ns : {kFiringPeriod_ns, kFiringPeriodS3_ns}) {
+    format.firing_period_ns = period_ns;
+    if (format.has_period(packet_period_ns)) return format;
   }
+  format.firing_period_ns = format.is_dual() ? kFiringPeriodS3_ns : kFiringPeriod_ns;
   return format;
 }
 

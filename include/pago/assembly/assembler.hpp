@@ -17,6 +17,7 @@ struct Firing {
   std::int64_t arrival_ns = 0;  ///< of its packet, host clock
   double revolutions = 0.0;     ///< unwrapped encoder azimuth at its start, clockwise
   double rate_rev_s = 0.0;      ///< above 0
+  bool is_after_blind = false;  ///< what is missing before it was never sent: the field of view is limited
 };
 
 /// Every rotation that was begun has one fate: opened = handed_on + no_free_sweep + is_open.
@@ -37,7 +38,7 @@ struct AssemblyCounters {
 /// A sweep ends at the firing nearest to the cut azimuth. Whatever happens to the stream, each rotation of
 /// the head gives at most one sweep, and the sequence number counts rotations:
 ///  - less than 90 % of a rotation at the start or end of the stream: kPartialStart, kPartialEnd;
-///  - less than 90 % of the firings received otherwise: kIncomplete;
+///  - less than 90 % of the firings received otherwise (of those that were sent): kIncomplete;
 ///  - rotations without any firing before it: kAfterGap;
 ///  - no room for another firing (slower than 5 Hz, or more returns than max_returns): kOverfull; it is
 ///  closed
@@ -60,12 +61,19 @@ class Assembler {
            const hdl64::FiringReturns& strongest,
            const hdl64::FiringReturns* others = nullptr) noexcept;
 
+  /// No firing comes any more before the cut: the sensor does not look there. Ends the open sweep, as the
+  /// next firing beyond the cut would.
+  void end_rotation() noexcept;
+
   /// The stream broke off and will go on elsewhere (clock restarted, head stopped or jumped): ends the open
   /// sweep. Without effect when nothing was added since the last call.
   void interrupt() noexcept;
 
   /// The stream is over: ends the open sweep.
   void finish() noexcept;
+
+  /// For the headers of sweeps that are handed on from now on (SweepHeader::clock_offset_ns).
+  void set_clock_offset(std::int64_t offset_ns) noexcept { clock_offset_ns_ = offset_ns; }
 
   /// A malformed datagram came; noted in the open sweep's header.
   void note_bad_packet() noexcept {
@@ -95,7 +103,7 @@ class Assembler {
   void fill_cells(std::uint64_t valid, int column) noexcept;
   void write_cells() noexcept;
   void hand_on_sectors() noexcept;
-  void close_at_cut(int lost_before_cut) noexcept;
+  void close_at_cut(int lost_before_cut, bool is_blind) noexcept;
   void close_within_rotation(std::uint32_t flags) noexcept;
   void complete_header(double end_turn, int due_until, int columns, std::uint32_t flags) noexcept;
   void fold_margins() noexcept;
@@ -120,9 +128,11 @@ class Assembler {
   bool is_first_of_stream_ = false;
   int expected_from_ = 0, filled_until_ = 0;  // columns in which firings were due, and were had
   int lowest_shift_ = 0;
+  int blind_ = 0;  // firings of it that were never sent
   int sector_columns_ = 0, next_sector_column_ = 0;
   int parts_handed_on_ = 0;
 
+  std::int64_t clock_offset_ns_ = 0;
   AssemblyCounters counters_;
 };
 

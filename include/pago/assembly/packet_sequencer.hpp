@@ -51,7 +51,7 @@ class PacketSequencer {
 
   explicit PacketSequencer(int window);
 
-  /// What kind of packets come from now on: single return unless said otherwise. Nothing may be held.
+  /// What kind of packets come from now on: single return unless said otherwise.
   void set_format(const hdl64::StreamFormat& format) noexcept;
 
   Verdict offer(const StampedPacket& packet) noexcept;
@@ -62,6 +62,12 @@ class PacketSequencer {
   std::optional<StampedPacket> take_regardless() noexcept;
   /// The next packet begins a new count of time; nothing may be held.
   void restart() noexcept;
+
+  /// How many packet periods the newest packet that was given out lies behind the one before it; 1 if none is
+  /// missing, or there was none before.
+  std::int64_t periods_on() const noexcept { return periods_on_; }
+  /// So many firings that counted as lost were never sent.
+  void excuse(std::uint64_t firings) noexcept;
 
   const FiringCounters& firings() const noexcept { return firings_; }
   /// Packets of which take() or offer() gave back an older one after a newer one had been held.
@@ -95,7 +101,7 @@ class PacketSequencer {
   std::size_t held_ = 0;
   std::array<Identity, 16> recent_{};  // the last ones used
   std::size_t next_recent_ = 0;
-  std::int64_t last_ns_ = 0;
+  std::int64_t last_ns_ = 0, periods_on_ = 1;
   bool started_ = false;
   FiringCounters firings_;
   std::uint64_t reordered_ = 0;

@@ -38,13 +38,17 @@ struct SweepHeader {
   std::uint64_t sequence = 0;  ///< counts rotations from 0, skipped and partial ones included
   std::int64_t start_ns = 0;   ///< sensor time of the first firing, ns since the Unix epoch
   std::int64_t end_ns = 0;     ///< sensor time of the end of the last firing
+  /// What to add to sensor time for the time of day (hdl64/clock_offset.hpp). Differences of sensor times are
+  /// exact; this one follows the host's clock, and steps when that is set. 0 where GPS keeps the sensor's.
+  std::int64_t clock_offset_ns = 0;
   std::int64_t first_arrival_ns = 0, last_arrival_ns = 0;  ///< host arrival of its first and last packet
   std::int64_t closed_ns = 0;     ///< monotonic clock when the assembler handed it on
   std::uint32_t num_columns = 0;  ///< firings in the rotation = used columns of the range image
   std::uint32_t firings_received = 0, firings_lost = 0;
-  std::uint32_t packets_bad = 0;  ///< malformed datagrams that arrived while it was filled
-  float rotation_rev = 0.0F;      ///< how far the head turned, in revolutions: 1 for a whole sweep
-  std::uint32_t flags = 0;        ///< SweepFlag bits
+  std::uint32_t firings_blind = 0;  ///< never sent: the sensor's field of view is limited
+  std::uint32_t packets_bad = 0;    ///< malformed datagrams that arrived while it was filled
+  float rotation_rev = 0.0F;        ///< how far the head turned, in revolutions: 1 for a whole sweep
+  std::uint32_t flags = 0;          ///< SweepFlag bits
 
   bool has(SweepFlag flag) const noexcept { return (flags & flag) != 0; }
   bool is_posed() const noexcept { return (flags & (kPartialStart | kPartialEnd | kSuperseded)) == 0; }

@@ -45,6 +45,8 @@ class StatusReader {
 
   Checksum checksum() const noexcept { return checksum_; }
   bool has_calibration() const noexcept { return checksum_ != Checksum::kNone; }
+  /// How often a whole calibration was read; grows when it is read anew because something changed.
+  std::uint32_t readings() const noexcept { return readings_; }
   /// The lasers' figures; has a meaning with has_calibration() only.
   const std::array<LaserCalibration, 64>& lasers() const noexcept { return lasers_; }
   /// A calibration made of them, good to 0.01 degrees and 1 mm, the resolution in which they are sent.
@@ -80,6 +82,7 @@ class StatusReader {
   SensorStatus status_;
   std::array<LaserCalibration, 64> lasers_{};
   Checksum checksum_ = Checksum::kNone;
+  std::uint32_t readings_ = 0;
 };
 
 }  // namespace pago::hdl64

@@ -67,6 +67,10 @@ struct StreamFormat {
     return kind == SensorKind::kHdl64Single || kind == SensorKind::kHdl64Dual;
   }
   std::int64_t packet_period_ns() const noexcept { return firings() * firing_period_ns; }
+  /// A measured time between packets agrees with the format.
+  bool has_period(std::int64_t period_ns) const noexcept {
+    return period_ns * 100 > packet_period_ns() * 94 && period_ns * 100 < packet_period_ns() * 106;
+  }
   /// Where a packet's firings are; an S1's are told by its flags.
   const PacketLayout& layout(const PacketView& packet) const noexcept;
   /// By the book. An S1's times are in no book: evenly spaced here, to be measured from its azimuths.
@@ -76,8 +80,8 @@ struct StreamFormat {
 };
 
 /// The format of a supported kind, given the measured time between its packets (0: unknown). Firings come
-/// every 48.0 us (S2, S2.1) or 57.6 us (S3; sources disagree about its single-return mode): the nearer one
-/// is taken. S1: 2,600 packets/s.
+/// every 48.0 us (S2, S2.1) or 57.6 us (S3; sources disagree about its single-return mode), by the measure,
+/// if it is near to either. S1: 2,600 packets/s.
 StreamFormat format_of(SensorKind kind, std::int64_t packet_period_ns) noexcept;
 
 /// Firing time of a laser after the start of its firing: groups of four every eighth of the period, the two
