@@ -37,7 +37,7 @@ Sweep* SweepFeed::acquire() noexcept {
 
 void SweepFeed::hand_on(const SweepPart& part) noexcept {
   if (!part.last) return;
-  part.sweep->header.closed_ns = platform::monotonic_ns();
+  part.sweep->header.closed_ns = part.sweep->header.complete_ns = platform::monotonic_ns();
   ready_ = part.sweep;
 }
 

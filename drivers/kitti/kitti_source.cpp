@@ -82,14 +82,14 @@ void mark_if_cut_short(SweepHeader& header, std::span<const float> turn) noexcep
 }  // namespace
 
 struct KittiSource::State {
-  State(const std::filesystem::path& path, const KittiConfig& settings)
+  State(const std::filesystem::path& path, const KittiConfig& settings, const SelfFilter& self)
       : folder(kitti::open_folder(path, settings)),
         is_compensated(settings.compensated == KittiCompensation::kAuto
                            ? !folder.is_raw
                            : settings.compensated == KittiCompensation::kYes),
         vertical_correction_deg(settings.vertical_correction_deg),
         reader(kMaxPoints),
-        organizer(kMaxPoints) {}
+        organizer(kMaxPoints, self) {}
 
   kitti::Folder folder;
   bool is_compensated;
@@ -101,8 +101,10 @@ struct KittiSource::State {
   kitti::ScanFault fault;
 };
 
-KittiSource::KittiSource(const std::filesystem::path& folder, const KittiConfig& config)
-    : state_(std::make_unique<State>(folder, config)) {}
+KittiSource::KittiSource(const std::filesystem::path& folder,
+                         const KittiConfig& config,
+                         const SelfFilter& self)
+    : state_(std::make_unique<State>(folder, config, self)) {}
 
 KittiSource::~KittiSource() = default;
 
@@ -144,6 +146,9 @@ bool KittiSource::has_stamps() const noexcept {
 }
 std::uint64_t KittiSource::scans_with_guessed_rings() const noexcept {
   return state_->organizer.scans_with_guessed_rings();
+}
+std::uint64_t KittiSource::self_hits() const noexcept {
+  return state_->organizer.self_hits();
 }
 std::uint64_t KittiSource::returns_without_cell() const noexcept {
   return state_->organizer.returns_without_cell();

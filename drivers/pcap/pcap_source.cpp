@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "pago/pcap/pcap_source.hpp"
 
-#include <arpa/inet.h>
-
 #include <algorithm>
 #include <array>
 #include <optional>
@@ -11,7 +9,7 @@
 #include "capture_file.hpp"
 #include "fragments.hpp"
 #include "frame.hpp"
-#include "pago/core/error.hpp"
+#include "pago/config/packet_filter.hpp"
 
 namespace pago {
 namespace {
@@ -20,28 +18,11 @@ namespace {
 constexpr int kMaxRecordsPerCall = 4096;
 constexpr std::size_t kUdpHeaderBytes = 8;
 
-std::uint32_t parse_address(const std::string& text) {
-  if (text.empty()) return 0;
-  in_addr address{};
-  if (inet_pton(AF_INET, text.c_str(), &address) != 1 || address.s_addr == 0)
-    throw Error("packets.source_address", "'" + text + "' is not an IPv4 address",
-                "write it as 192.168.3.43, or leave it empty to take every sender");
-  return ntohl(address.s_addr);
-}
-
-std::uint16_t checked_port(int port) {
-  if (port < 0 || port > 65535)
-    throw Error("packets.port", std::to_string(port) + " is no UDP port",
-                "0 takes every port, the sensor's default is 2368");
-  return static_cast<std::uint16_t>(port);
-}
-
 }  // namespace
 
 struct PcapSource::State {
-  State(const std::filesystem::path& file, const PacketFilterConfig& filter)
-      : port(checked_port(filter.port)),
-        address(parse_address(filter.source_address)),
+  State(const std::filesystem::path& file, const PacketFilterConfig& filter_config)
+      : filter(PacketFilter::of(filter_config)),
         capture(file),
         fragments(kMaxPayloadBytes + kUdpHeaderBytes),
         bytes(kBatch * kMaxPayloadBytes) {}
@@ -53,18 +34,17 @@ struct PcapSource::State {
   void end() noexcept;
 
   bool is_wanted_sender(const pcap::Frame& frame) const noexcept {
-    return address == 0 || frame.source_ipv4 == address;
+    return filter.takes_sender(frame.source_ipv4);
   }
   bool is_wanted(const pcap::Frame& frame) const noexcept {
-    return is_wanted_sender(frame) && (port == 0 || frame.destination_port == port);
+    return filter.takes(frame.source_ipv4, frame.destination_port);
   }
   void count(std::uint64_t SourceCounters::*fate) noexcept {
     ++counters.received;
     ++(counters.*fate);
   }
 
-  std::uint16_t port;     // 0: any
-  std::uint32_t address;  // 0: any
+  PacketFilter filter;
   pcap::CaptureFile capture;
   pcap::FragmentTable fragments;
   AlignedArray<std::uint8_t> bytes;  // kBatch payloads

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <climits>
 
 namespace pago::platform {
 
@@ -23,6 +24,10 @@ bool Wakeup::sleep_until(std::int64_t deadline_ns) noexcept {
   const long result = syscall(SYS_futex, &sleeping_, FUTEX_WAIT_BITSET | FUTEX_PRIVATE_FLAG, 1, &deadline,
                               nullptr, FUTEX_BITSET_MATCH_ANY);
   return result == 0 || errno != ETIMEDOUT;
+}
+
+void wake_sharers(std::atomic<std::uint32_t>& word) noexcept {
+  syscall(SYS_futex, &word, FUTEX_WAKE, INT_MAX, nullptr, nullptr, 0);
 }
 
 }  // namespace pago::platform

@@ -18,5 +18,8 @@ using Action = std::function<int()>;
 void add_run_command(CLI::App& program, Action& action);
 void add_evaluate_command(CLI::App& program, Action& action);
 void add_config_command(CLI::App& program, Action& action);
+void add_play_command(CLI::App& program, Action& action);
+void add_ctl_command(CLI::App& program, Action& action);
+void add_doctor_command(CLI::App& program, Action& action);
 
 }  // namespace pago::app

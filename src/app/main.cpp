@@ -17,6 +17,9 @@ int parse_and_act(int argc, char** argv) {
   pago::app::Action action;
   pago::app::add_run_command(program, action);
   pago::app::add_evaluate_command(program, action);
+  pago::app::add_play_command(program, action);
+  pago::app::add_ctl_command(program, action);
+  pago::app::add_doctor_command(program, action);
   pago::app::add_config_command(program, action);
   try {
     program.parse(argc, argv);

@@ -12,7 +12,12 @@ namespace pago::app {
 ProgressLine::ProgressLine() : is_terminal_(isatty(STDERR_FILENO) != 0) {}
 
 ProgressLine::~ProgressLine() {
+  clear();
+}
+
+void ProgressLine::clear() {
   if (is_shown_) std::fprintf(stderr, "\r\033[K");
+  is_shown_ = false;
 }
 
 void ProgressLine::count(const output::SweepRecord& record) noexcept {

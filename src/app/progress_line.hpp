@@ -19,6 +19,8 @@ class ProgressLine {
 
   void count(const output::SweepRecord& record) noexcept;
   void show(const Progress& progress);
+  /// Makes room for another message; the line comes again.
+  void clear();
 
  private:
   using Clock = std::chrono::steady_clock;

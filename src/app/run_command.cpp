@@ -1,19 +1,24 @@
 // SPDX-FileCopyrightText: 2026 The PaGO authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include <CLI/CLI.hpp>
-#include <atomic>
 #include <chrono>
-#include <csignal>
 #include <iostream>
 #include <memory>
+#include <optional>
 
 #include "commands.hpp"
+#include "live_observer.hpp"
 #include "pago/config/load.hpp"
+#include "pago/core/error.hpp"
 #include "pago/output/results_folder.hpp"
 #include "pago/output/run_recorder.hpp"
+#include "pago/pipeline/paced_source.hpp"
 #include "pago/pipeline/pipeline.hpp"
+#include "pago/platform/memory.hpp"
 #include "progress_line.hpp"
+#include "recording.hpp"
 #include "settings.hpp"
+#include "signals.hpp"
 #include "source.hpp"
 
 namespace pago::app {
@@ -22,29 +27,18 @@ namespace {
 
 struct RunOptions {
   std::string source, output, calibration, ground;
+  bool is_realtime = false;
   SettingsOptions settings;
 };
 
-std::atomic<bool> stop_requested{false};
-
-/// The first signal ends the run and flushes every output; a second one kills, as nothing may hang for ever.
-void stop_on_signals() {
-  const auto handler = [](int signal) {
-    stop_requested.store(true, std::memory_order_relaxed);
-    std::signal(signal, SIG_DFL);
-  };
-  std::signal(SIGINT, handler);
-  std::signal(SIGTERM, handler);
-}
-
-class Recorder final : public Observer {
+class ReplayObserver final : public Observer {
  public:
-  explicit Recorder(output::RunRecorder& recorder) : recorder_(recorder) {}
+  explicit ReplayObserver(output::RunRecorder& recorder) : recorder_(recorder) {}
   void on_sweep(const output::SweepRecord& record) override {
     recorder_.add(record);
     line_.count(record);
   }
-  void on_progress(const Progress& progress) override { line_.show(progress); }
+  void on_status(const IngestStatus& status) override { line_.show(status.progress); }
 
  private:
   output::RunRecorder& recorder_;
@@ -60,102 +54,105 @@ Config load(const RunOptions& options) {
   return config;
 }
 
-RunSummary run(Pipeline& pipeline, const OpenSource& source, output::RunRecorder& recorder) {
-  Recorder observer(recorder);
-  if (const auto* capture = std::get_if<OpenCapture>(&source)) {
-    return pipeline.run(*capture->packets, capture->calibration, observer, stop_requested);
-  }
-  return pipeline.run(*std::get<OpenFolder>(source).sweeps, observer, stop_requested);
+double seconds_since(std::chrono::steady_clock::time_point start) {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
-output::RunReport report_of(const RunSummary& summary,
-                            const RunOptions& options,
-                            const Config& config,
-                            bool has_packets,
-                            double wall_s) {
-  output::RunReport report;
-  report.version = PAGO_VERSION;
-  report.source = options.source;
-  report.config_toml = dump_toml(config);
-  report.facts.emplace_back("ground", config.ground.method);
-  if (has_packets) {
-    report.facts.emplace_back("sensor", summary.sensor);
-    report.facts.emplace_back("calibration", config.hdl64.calibration);
-    report.source_counters = summary.source;
-    report.packets = summary.packets;
-    report.firings = summary.firings;
+/// For what is not real-time while it runs: files, messages, requests.
+constexpr std::size_t kHeapReserve_bytes = 16U << 20U;
+
+/// What a run needs, all of it open and made, so that nothing is refused after work has begun.
+struct Prepared {
+  OpenSource source;
+  bool is_live;
+  std::unique_ptr<Pipeline> pipeline;
+  LiveOutlets outlets;
+
+  OpenPackets* packets() { return std::get_if<OpenPackets>(&source); }
+};
+
+Prepared prepare(const RunOptions& options, Config& config) {
+  Prepared run{
+      .source = open_source(options.source, config), .is_live = false, .pipeline = {}, .outlets = {}};
+  const OpenPackets* const packets = run.packets();
+  if (packets == nullptr && options.is_realtime)
+    throw Error(options.source, "holds scans, which cannot be replayed in real time",
+                "--realtime is for captures of packets");
+  run.is_live = packets != nullptr && (packets->is_live || options.is_realtime);
+  if (run.is_live) {
+    platform::keep_heap(kHeapReserve_bytes);
+    platform::make_timers_exact();
   }
-  for (const std::string& thread : summary.threads) report.facts.emplace_back("thread", thread);
-  report.sweeps = summary.sweeps;
-  report.wall_s = wall_s;
-  report.complaint = summary.failure.empty() ? summary.complaint : summary.failure;
-  if (report.complaint.empty() && summary.interrupted) report.complaint = "stopped by a signal";
-  return report;
+  run.pipeline = std::make_unique<Pipeline>(config, run.is_live ? Pace::kLive : Pace::kReplay);
+  if (run.is_live) {
+    run.outlets = open_outlets(config);
+    if (const std::string refusal = platform::lock_memory(); !refusal.empty())
+      run.packets()->warnings.push_back(refusal);
+  }
+  return run;
 }
 
-/// A stream that gave nothing is bad input; a run that broke off half-way, or lost count, has failed.
-int exit_code(const RunSummary& summary, const output::RunTotals& totals, bool is_recorded) {
-  if (!summary.failure.empty()) return totals.num_poses == 0 ? 2 : 1;
-  return summary.balanced() && is_recorded ? 0 : 1;
+RunSummary go_live(Prepared& run,
+                   const RunOptions& options,
+                   const Config& config,
+                   output::RunRecorder& recorder,
+                   std::vector<std::string>& complaints) {
+  const auto start = std::chrono::steady_clock::now();
+  LiveObserver observer(
+      run.outlets, options.source, recorder,
+      [&](const IngestStatus& now) {
+        return report_so_far(now, options.source, config, seconds_since(start));
+      },
+      [&] { run.pipeline->request_reset(); });
+  OpenPackets& open = *run.packets();
+  for (const std::string& warning : open.warnings) observer.log().warn(warning);
+  std::optional<PacedSource> paced;
+  if (!open.is_live) paced.emplace(*open.packets);
+  PacketSource& source = paced ? *paced : *open.packets;
+  const RunSummary summary = run.pipeline->run(source, open.calibration, observer, stop_flag());
+  for (const std::string& complaint : observer.complaints()) complaints.push_back(complaint);
+  return summary;
 }
 
-/// What a user should know about a run that went through.
-std::vector<std::string> doubts(const RunSummary& summary,
-                                const output::RunTotals& totals,
-                                const OpenSource& source) {
-  std::vector<std::string> result;
-  const PacketCounters& packets = summary.packets;
-  if (summary.failure.empty() && totals.num_poses == 0)
-    result.emplace_back("no complete rotation, so no pose");
-  if (packets.late + packets.duplicate > packets.decoded / 10) {
-    result.emplace_back(
-        "many packets are late or duplicate: if several sensors send to this port, choose one by "
-        "packets.source_address");
-  }
-  if (packets.bad_total() > packets.decoded) result.emplace_back("most packets are damaged, see run.json");
-  if (summary.clock_restarts > 0) {
-    result.push_back("the sensor's clock began anew " + std::to_string(summary.clock_restarts) +
-                     " times (switched off and on, or GPS found): the motion in between is unknown");
-  }
-  if (const auto* folder = std::get_if<OpenFolder>(&source)) {
-    if (const auto scans = folder->sweeps->scans_with_guessed_rings(); scans > 0) {
-      result.push_back(std::to_string(scans) +
-                       " scans are not ring by ring as KITTI's are: their rings are guessed");
-    }
-  }
-  return result;
+RunSummary replay(Prepared& run, output::RunRecorder& recorder) {
+  ReplayObserver observer(recorder);
+  if (OpenPackets* const open = run.packets())
+    return run.pipeline->run(*open->packets, open->calibration, observer, stop_flag());
+  return run.pipeline->run(*std::get<OpenFolder>(run.source).sweeps, observer, stop_flag());
 }
 
 int run_command(const RunOptions& options) {
+  stop_on_signals();
   Config config = load(options);
   const bool is_calibration_chosen = !config.hdl64.calibration.empty();
-  const OpenSource source = open_source(options.source, config);
+  Prepared run = prepare(options, config);
   if (!is_calibration_chosen && !config.hdl64.calibration.empty()) {
     std::cout << "calibration  " << config.hdl64.calibration << ", found beside the capture\n";
   }
-  Pipeline pipeline(config);
   const output::ResultsFolder results = output::create_results_folder(config.output.folder);
   auto recorder = std::make_unique<output::RunRecorder>(results.folder, config.output);
-  stop_on_signals();
 
   const auto start = std::chrono::steady_clock::now();
-  const RunSummary summary = run(pipeline, source, *recorder);
-  const double wall_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  std::vector<std::string> complaints{results.complaint};
+  const RunSummary summary =
+      run.is_live ? go_live(run, options, config, *recorder, complaints) : replay(run, *recorder);
 
-  const bool has_packets = std::holds_alternative<OpenCapture>(source);
-  const output::RunReport report = report_of(summary, options, config, has_packets, wall_s);
+  const output::RunReport report =
+      report_of(summary, options.source, config, run.packets() != nullptr, seconds_since(start));
   recorder->finish(report);
   const bool came_to_nothing = !summary.failure.empty() && summary.sweeps.opened == 0;
   if (!came_to_nothing) std::cout << output::run_summary(report, recorder->totals(), results.folder);
-  for (const std::string& complaint : {results.complaint, summary.complaint, summary.failure}) {
+
+  const auto add = [&complaints](const std::vector<std::string>& more) {
+    complaints.insert(complaints.end(), more.begin(), more.end());
+  };
+  add({summary.complaint, summary.failure});
+  add(doubts(summary, recorder->totals(), run.source));
+  add(recorder->complaints());
+  if (!summary.balanced()) add({"the counters do not add up, see run.json"});
+  for (const std::string& complaint : complaints)
     if (!complaint.empty()) std::cerr << "pago: " << complaint << '\n';
-  }
-  for (const std::string& doubt : doubts(summary, recorder->totals(), source))
-    std::cerr << "pago: " << doubt << '\n';
-  const std::vector<std::string> complaints = recorder->complaints();
-  for (const std::string& complaint : complaints) std::cerr << "pago: " << complaint << '\n';
-  if (!summary.balanced()) std::cerr << "pago: the counters do not add up, see run.json\n";
-  return exit_code(summary, recorder->totals(), complaints.empty());
+  return exit_code(summary, recorder->totals(), recorder->complaints().empty(), run.is_live);
 }
 
 }  // namespace
@@ -164,7 +161,8 @@ void add_run_command(CLI::App& program, Action& action) {
   CLI::App& command = *program.add_subcommand("run", "packets or scans in, trajectory out");
   const auto options = std::make_shared<RunOptions>();
   command
-      .add_option("source", options->source, "drive.pcap, or a folder of KITTI scans (kitti:sequences/00)")
+      .add_option("source", options->source,
+                  "udp://:2368 (a live sensor), drive.pcap, or a folder of KITTI scans (kitti:sequences/00)")
       ->type_name("SOURCE")
       ->required();
   command
@@ -174,6 +172,9 @@ void add_run_command(CLI::App& program, Action& action) {
       ->type_name("FILE");
   command.add_option("--ground", options->ground, "ground segmentation: patchwork (default) or lego")
       ->type_name("NAME");
+  command.add_flag("--realtime", options->is_realtime,
+                   "replay a capture at the pace of its recording, as if the sensor were live: poses are "
+                   "published, and what comes too fast is dropped and counted");
   command
       .add_option("--output", options->output, "folder that gets a new folder for each run; default: results")
       ->type_name("DIR");

@@ -8,6 +8,7 @@
 #include "pago/core/error.hpp"
 #include "pago/hdl64/stream_probe.hpp"
 #include "pago/pcap/pcap_source.hpp"
+#include "pago/udp/udp_source.hpp"
 
 namespace pago::app {
 
@@ -57,25 +58,42 @@ void check_sensor(const fs::path& file, const PacketFilterConfig& filter) {
   }
 }
 
-OpenCapture open_capture(const fs::path& file, Config& config) {
+OpenPackets open_capture(const fs::path& file, Config& config) {
   std::error_code unknown;
   if (fs::is_fifo(file, unknown))
     throw Error(file.string(), "is a pipe", "captures are read twice: give a file");
   check_sensor(file, config.packets);
-  OpenCapture open{std::make_unique<PcapSource>(file, config.packets), {}};
+  OpenPackets open;
+  open.packets = std::make_unique<PcapSource>(file, config.packets);
   if (config.hdl64.calibration.empty()) config.hdl64.calibration = calibration_beside(file);
   open.calibration = hdl64::load_calibration(config.hdl64.calibration, config.hdl64.vertical_offset);
+  return open;
+}
+
+OpenPackets open_live(const std::string& name, Config& config) {
+  if (config.hdl64.calibration.empty())
+    throw Error(name, "no calibration given",
+                "give the unit's own db.xml or yaml with --calibration: without it every range is wrong by "
+                "about a metre");
+  OpenPackets open;
+  open.is_live = true;
+  open.calibration = hdl64::load_calibration(config.hdl64.calibration, config.hdl64.vertical_offset);
+  auto socket = std::make_unique<UdpSource>(parse_udp_endpoint(name), config.packets, config.udp);
+  open.warnings = socket->warnings();
+  open.packets = std::move(socket);
   return open;
 }
 
 }  // namespace
 
 OpenSource open_source(const std::string& name, Config& config) {
+  if (name.starts_with("udp:")) return open_live(name, config);
   if (const auto file = after(name, "pcap")) return open_capture(*file, config);
   const auto folder = after(name, "kitti");
   std::error_code unknown;
   if (folder || fs::is_directory(name, unknown)) {
-    return OpenFolder{std::make_unique<KittiSource>(folder.value_or(name), config.kitti)};
+    return OpenFolder{std::make_unique<KittiSource>(folder.value_or(name), config.kitti,
+                                                    SelfFilter(config.vehicle, config.mount))};
   }
   return open_capture(name, config);
 }

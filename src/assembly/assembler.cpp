@@ -96,6 +96,7 @@ void Assembler::interrupt() noexcept {
 void Assembler::finish() noexcept {
   if (open_ != nullptr) close_within_rotation(kPartialEnd);
   last_.is_valid = false;
+  begins_stream_ = true;
 }
 
 std::int64_t Assembler::steps_after_last(std::int64_t time_ns) const noexcept {
@@ -135,8 +136,8 @@ int Assembler::cross_cut(const Firing& firing, double turn, double step, std::in
 
 void Assembler::open(const Firing& firing, int columns, bool after_gap) noexcept {
   ++counters_.opened;
-  is_first_of_stream_ = is_first_;
-  is_first_ = false;
+  is_first_of_stream_ = begins_stream_;
+  is_first_ = begins_stream_ = false;
   open_ = spare_ != nullptr ? spare_ : exchange_.acquire();
   spare_ = nullptr;
   if (open_ == nullptr) {

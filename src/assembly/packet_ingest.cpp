@@ -31,7 +31,8 @@ double encoder_rev(std::uint16_t azimuth_cdeg) noexcept {
 PacketIngest::PacketIngest(const AssemblyConfig& assembly,
                            const Hdl64Config& sensor,
                            const hdl64::Calibration& calibration,
-                           SweepExchange& exchange)
+                           SweepExchange& exchange,
+                           const SelfFilter& self)
     : sequencer_(assembly.reorder_window),
       decoder_(calibration, sensor.min_range_m, sensor.max_range_m),
       assembler_(assembly, calibration, exchange),
@@ -40,11 +41,12 @@ PacketIngest::PacketIngest(const AssemblyConfig& assembly,
       unidentified_(hdl64::StreamProbe::kMaxPackets),
       lasers_(calibration.lasers),
       held_(kHold),
-      held_azimuths_(kHold) {}
+      held_azimuths_(kHold),
+      self_(self) {}
 
 void PacketIngest::push(const Datagram& datagram) noexcept {
-  if (is_refused_) return;
   ++packets_.received;
+  if (is_refused_) return count_bad(PacketFault::kOtherSensor);
   if (datagram.payload.size() != hdl64::kPacketBytes) {
     return refuse(PacketFault::kSize);
   }
@@ -57,17 +59,37 @@ void PacketIngest::push(const Datagram& datagram) noexcept {
   take(datagram.payload.first<hdl64::kPacketBytes>(), datagram.arrival_ns);
 }
 
+void PacketIngest::note_silence() noexcept {
+  while (const auto packet = sequencer_.take_regardless()) accept(*packet);
+  break_off();
+}
+
+void PacketIngest::probe_again() noexcept {
+  if (!is_refused_) return;
+  is_refused_ = false;
+  probe_ = {};
+}
+
 void PacketIngest::finish() noexcept {
-  if (!is_identified_ && packets_.decoded == 0) is_refused_ = true;
-  if (is_refused_) return;
-  use_all_held();
+  if (!is_identified_) return refuse_stream();
+  note_silence();
+}
+
+void PacketIngest::break_off() noexcept {
+  release_held();
   assembler_.finish();
+}
+
+void PacketIngest::refuse_stream() noexcept {
+  is_refused_ = packets_.decoded == 0;
+  packets_.bad[static_cast<std::size_t>(PacketFault::kOtherSensor)] += std::exchange(num_unidentified_, 0);
 }
 
 std::string PacketIngest::refusal() const {
   if (!is_refused_) return {};
   if (probe_.decided()) return hdl64::refusal(probe_.kind());
-  return "the stream ended after " + std::to_string(num_unidentified_) + " packets of " +
+  const std::uint64_t came = packets_.bad[static_cast<std::size_t>(PacketFault::kOtherSensor)];
+  return "the stream ended after " + std::to_string(came) + " packets of " +
          std::to_string(hdl64::kPacketBytes) + " bytes; its sensor is recognised by " +
          std::to_string(hdl64::StreamProbe::kPackets);
 }
@@ -86,8 +108,6 @@ bool PacketIngest::is_foreign(const Datagram& datagram) noexcept {
     case SenderLock::Verdict::kReplaced:
       // Another sensor: nothing that is known holds for it.
       if (is_identified_) {
-        use_all_held();
-        assembler_.interrupt();
         restart_clock();
         clock_ = {};
         status_ = {};
@@ -117,8 +137,7 @@ void PacketIngest::identify(const Datagram& datagram) noexcept {
 
 /// The sender is no HDL-64E. That is the end of it, unless there are others.
 void PacketIngest::give_up_sender() noexcept {
-  is_refused_ = packets_.filtered == 0 && packets_.decoded == 0;
-  if (is_refused_) return;
+  if (packets_.filtered == 0 && packets_.decoded == 0) return refuse_stream();
   packets_.filtered += std::exchange(num_unidentified_, 0);
   probe_ = {};
   sender_.ban();
@@ -198,7 +217,7 @@ hdl64::DeviceClock::Reading PacketIngest::read_clock(Bytes bytes, std::int64_t a
 }
 
 void PacketIngest::refuse(PacketFault fault) noexcept {
-  ++packets_.bad[static_cast<std::size_t>(fault)];
+  count_bad(fault);
   assembler_.note_bad_packet();
 }
 
@@ -209,7 +228,7 @@ void PacketIngest::use_all_held() noexcept {
 
 // What is still held belongs to the old count of time.
 void PacketIngest::restart_clock() noexcept {
-  use_all_held();
+  note_silence();
   sequencer_.restart();
   clock_offset_.restart();
   status_.lose_place();
@@ -238,9 +257,11 @@ void PacketIngest::sequence(const StampedPacket& packet) noexcept {
 }
 
 void PacketIngest::accept(const StampedPacket& packet) noexcept {
-  const bool after_silence = packet.time_ns - newest_ns_ > kSilence_ns;
+  const std::int64_t silence_ns = packet.time_ns - newest_ns_;
+  const bool after_silence = silence_ns > kSilence_ns;
   newest_ns_ = packet.time_ns;
   if (after_silence) release_held();
+  if (silence_ns > kBrokenOff_ns) break_off();
   const bool is_after_blind = note_gap(packet);
   if (after_silence) {
     is_holding_ = true;
@@ -358,9 +379,16 @@ void PacketIngest::assemble(const StampedPacket& packet, bool is_after_blind) no
                         .rate_rev_s = rate_rev_s,
                         .is_after_blind = is_after_blind && i == 0};
     const auto index = static_cast<std::size_t>(i);
-    assembler_.add(firing, returns_.strongest[index], format_.is_dual() ? &returns_.others[index] : nullptr);
+    hdl64::FiringReturns* const others = format_.is_dual() ? &returns_.others[index] : nullptr;
+    if (self_.has_box()) remove_own(returns_.strongest[index], others);
+    assembler_.add(firing, returns_.strongest[index], others);
   }
   end_rotation_before_blind(start_rev, rate_rev_s * 1e-9 * static_cast<double>(format_.packet_period_ns()));
+}
+
+void PacketIngest::remove_own(hdl64::FiringReturns& strongest, hdl64::FiringReturns* others) noexcept {
+  self_hits_ += static_cast<std::uint64_t>(self_.remove_own(strongest));
+  if (others != nullptr) self_hits_ += static_cast<std::uint64_t>(self_.remove_own(*others));
 }
 
 /// If the next packet comes from beyond the cut only, the sweep need not wait for it.

@@ -41,20 +41,25 @@ int scan_columns(std::int64_t rotation_ns) noexcept {
 }
 
 struct ScanOrganizer::State {
-  explicit State(std::size_t max_points) : turn_rev(max_points), columns(max_points, kMaxColumns) {}
+  State(std::size_t max_points, const SelfFilter& own_body)
+      : self(own_body), turn_rev(max_points), columns(max_points, kMaxColumns) {}
 
+  SelfFilter self;
   AlignedArray<float> turn_rev;
   std::size_t size = 0;  // of the last sweep
   RingFinder rings;
   ColumnPlacer columns;
-  std::uint64_t guessed_rings = 0, homeless_returns = 0;
+  std::uint64_t guessed_rings = 0, homeless_returns = 0, self_hits = 0;
 
   /// Makes the points fit to be computed with.
   std::span<const float> take(Sweep& sweep) noexcept {
     assert(sweep.size <= turn_rev.size());
     size = sweep.size;
     for (std::size_t i = 0; i < size; ++i) {
-      if (!is_usable(sweep.x_m[i], sweep.y_m[i], sweep.z_m[i]))
+      const bool is_own = self.has_box() && self.is_own(sweep.x_m[i], sweep.y_m[i], sweep.z_m[i]) &&
+                          turn_of(sweep.x_m[i], sweep.y_m[i]) != kNoTurn;
+      self_hits += is_own ? 1U : 0U;
+      if (is_own || !is_usable(sweep.x_m[i], sweep.y_m[i], sweep.z_m[i]))
         sweep.x_m[i] = sweep.y_m[i] = sweep.z_m[i] = 0.0F;
       turn_rev[i] = turn_of(sweep.x_m[i], sweep.y_m[i]);
     }
@@ -62,7 +67,8 @@ struct ScanOrganizer::State {
   }
 };
 
-ScanOrganizer::ScanOrganizer(std::size_t max_points) : state_(std::make_unique<State>(max_points)) {}
+ScanOrganizer::ScanOrganizer(std::size_t max_points, const SelfFilter& self)
+    : state_(std::make_unique<State>(max_points, self)) {}
 ScanOrganizer::~ScanOrganizer() = default;
 
 RingSource ScanOrganizer::organize(Sweep& sweep) noexcept {
@@ -82,6 +88,9 @@ std::span<const float> ScanOrganizer::turn_rev() const noexcept {
 }
 std::uint64_t ScanOrganizer::scans_with_guessed_rings() const noexcept {
   return state_->guessed_rings;
+}
+std::uint64_t ScanOrganizer::self_hits() const noexcept {
+  return state_->self_hits;
 }
 std::uint64_t ScanOrganizer::returns_without_cell() const noexcept {
   return state_->homeless_returns;

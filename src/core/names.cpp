@@ -19,7 +19,7 @@ std::string_view to_string(HealthReason reason) noexcept {
 
 std::string_view to_string(PacketFault fault) noexcept {
   constexpr std::array<std::string_view, static_cast<std::size_t>(PacketFault::kCount)> kWords{
-      "none", "size", "block flag", "azimuth", "stamp"};
+      "none", "size", "block flag", "azimuth", "stamp", "other sensor"};
   return kWords[static_cast<std::size_t>(fault)];
 }
 

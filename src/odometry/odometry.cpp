@@ -52,6 +52,13 @@ OdometryStage::OdometryStage(const OdometryConfig& config, std::uint32_t max_ret
       deskewed_(max_returns),
       targets_(max_returns) {}
 
+void OdometryStage::reset() noexcept {
+  started_ = is_placed_ = has_motion_ = false;
+  twist_.setZero();
+  T_odom_reference_.setIdentity();
+  predicted_in_a_row_ = 0;
+}
+
 void OdometryStage::finish(Sweep& sweep) noexcept {
   if (!sweep.header.is_posed()) return;
   const Instants instants = instants_of(sweep.header);
@@ -240,6 +247,7 @@ void OdometryStage::report(Sweep& sweep, const Instants& instants) noexcept {
   Estimate& estimate = sweep.estimate;
   estimate.has_pose = true;
   estimate.stamp_ns = instants.reported_ns;
+  estimate.twist = twist_;
   const Eigen::Isometry3d T_reference_reported =
       exp_se3(twist_ * seconds(instants.reported_ns - instants.reference_ns));
   estimate.T_odom_sensor_front_end = T_odom_reference_ * T_reference_reported;

@@ -17,7 +17,7 @@ constexpr std::int64_t kNone = -1;
 std::int64_t pose_ns(const SweepRecord& record, StageId stage) noexcept {
   const StageTime& time = record.time_of(stage);
   if (!record.has_pose || time.end_ns == 0) return kNone;
-  return std::max<std::int64_t>(0, time.end_ns - record.header.closed_ns);
+  return std::max<std::int64_t>(0, time.end_ns - record.header.complete_ns);
 }
 
 std::string cell(bool is_there, std::int64_t duration_ns) {

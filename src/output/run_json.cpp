@@ -36,8 +36,13 @@ Json json_of(const LatencyReport& latency) {
 }
 
 Json json_of(const SourceCounters& c) {
-  return {{"received", c.received},   {"delivered", c.delivered},         {"filtered", c.filtered},
-          {"truncated", c.truncated}, {"fragment_lost", c.fragment_lost}, {"malformed", c.malformed},
+  return {{"received", c.received},
+          {"delivered", c.delivered},
+          {"filtered", c.filtered},
+          {"truncated", c.truncated},
+          {"fragment_lost", c.fragment_lost},
+          {"malformed", c.malformed},
+          {"kernel_dropped", c.kernel_dropped},
           {"balanced", c.balanced()}};
 }
 
@@ -110,6 +115,7 @@ std::string run_json(const RunReport& report, const RunTotals& totals) {
                      {"sweeps", json_of(report.sweeps)},
                      {"packets", json_of(report.packets)},
                      {"firings", json_of(report.firings)},
+                     {"self_hits", report.self_hits},
                      {"datagrams", json_of(report.source_counters)},
                      {"latency_ms", json_of(totals.latency)},
                      {"config", report.config_toml}};

@@ -21,6 +21,7 @@ RunRecorder::RunRecorder(const std::filesystem::path& folder,
 void RunRecorder::add(const SweepRecord& record) {
   totals_.add(record);
   trace_.add(record);
+  newest_sequence_ = record.header.sequence;
   latency_.write(record);
   if (record.has_pose) {
     first_.write(record.stamp_ns, record.T_odom_sensor_first);
@@ -41,6 +42,14 @@ void RunRecorder::finish(const RunReport& report) {
   end_complaints_.clear();
   write_at_end("run.json", run_json(report, totals_));
   if (trace_.size() != 0) write_at_end("trace.json", trace_.json());
+}
+
+std::string RunRecorder::save_trace() {
+  if (trace_.size() == 0) return {};
+  const std::string name = "trace_" + std::to_string(newest_sequence_) + ".json";
+  const std::size_t before = end_complaints_.size();
+  write_at_end(name.c_str(), trace_.json());
+  return end_complaints_.size() == before ? (folder_ / name).string() : std::string();
 }
 
 void RunRecorder::write_at_end(const char* name, const std::string& text) {

@@ -42,6 +42,9 @@ std::string packets(const RunReport& report) {
                    c.decoded, c.received, c.duplicate, c.late) +
             by_cause<PacketFault>("bad", c.bad_total(), c.bad) + check(c.balanced());
   }
+  if (report.source_counters && report.source_counters->kernel_dropped != 0)
+    text += format("kernel    %" PRIu64 " datagrams dropped: the receive buffer was full\n",
+                   report.source_counters->kernel_dropped);
   if (report.firings && report.firings->lost != 0)
     text +=
         format("firings   %" PRIu64 " of %" PRIu64 " lost", report.firings->lost, report.firings->expected) +

@@ -4,47 +4,56 @@
 
 #include "pago/assembly/sweep_exchange.hpp"
 #include "pago/assembly/sweep_ring.hpp"
+#include "pago/pipeline/pipeline.hpp"
 #include "pago/platform/clock.hpp"
 #include "runner.hpp"
 
 namespace pago {
 
-/// The ingest thread's side of the sweep ring in a replay: when every sweep is in use, it waits until the
-/// last stage has freed one, so that nothing is dropped.
-class ReplayExchange final : public SweepExchange {
+/// The ingest thread's side of the sweep ring. When every sweep is in use, a replay waits until the last
+/// stage has freed one, so that nothing is dropped; live, there is none, and the assembler gives up a
+/// rotation.
+class RingExchange final : public SweepExchange {
  public:
-  ReplayExchange(SweepRing& ring, platform::Channel<Sweep*>& freed, platform::Channel<SweepPart>& parts)
-      : ring_(ring), freed_(freed), parts_(parts) {}
+  RingExchange(SweepRing& ring, platform::Channel<Sweep*>& freed, Link<SweepPart>& parts, Pace pace)
+      : ring_(ring), freed_(freed), parts_(parts), is_live_(pace == Pace::kLive) {}
 
   Sweep* acquire() noexcept override {
     for (Sweep* sweep = nullptr; freed_.try_pop(sweep);) ring_.release(sweep);
     Sweep* sweep = ring_.try_acquire();
-    while (sweep == nullptr) {
+    while (sweep == nullptr && !is_live_) {
       ring_.release(pop(freed_));
       sweep = ring_.try_acquire();
     }
-    sweep->time_of(StageId::kIngest).start_ns = platform::monotonic_ns();
+    if (sweep != nullptr) sweep->time_of(StageId::kIngest).start_ns = platform::monotonic_ns();
     return sweep;
   }
 
   void hand_on(const SweepPart& part) noexcept override {
     if (part.last) {
-      part.sweep->header.closed_ns = platform::monotonic_ns();
-      StageTime& time = part.sweep->time_of(StageId::kIngest);
-      time.end_ns = part.sweep->header.closed_ns;
-      const std::int64_t cpu_ns = platform::thread_cpu_ns();
-      time.cpu_ns = cpu_ns - cpu_before_ns_;
-      cpu_before_ns_ = cpu_ns;
+      stamp(*part.sweep);
+      parts_.backlog.arrived();
     }
-    push(parts_, part);
+    push(parts_.channel, part);
   }
 
-  void end() noexcept { push(parts_, SweepPart{}); }
+  void end() noexcept { push(parts_.channel, SweepPart{}); }
 
  private:
+  void stamp(Sweep& sweep) noexcept {
+    SweepHeader& header = sweep.header;
+    StageTime& time = sweep.time_of(StageId::kIngest);
+    header.closed_ns = header.complete_ns = time.end_ns = platform::monotonic_ns();
+    if (is_live_) header.complete_ns -= platform::realtime_ns() - header.last_arrival_ns;
+    const std::int64_t cpu_ns = platform::thread_cpu_ns();
+    time.cpu_ns = cpu_ns - cpu_before_ns_;
+    cpu_before_ns_ = cpu_ns;
+  }
+
   SweepRing& ring_;
   platform::Channel<Sweep*>& freed_;
-  platform::Channel<SweepPart>& parts_;
+  Link<SweepPart>& parts_;
+  bool is_live_;
   std::int64_t cpu_before_ns_ = 0;  // of this thread, when the last sweep was handed on
 };
 

@@ -66,7 +66,7 @@ void copy_points(const Scan& scan, Sweep& sweep) noexcept {
 struct Odometry::Parts {
   Parts(const Config& c, std::uint32_t max_returns)
       : sweep(max_returns),
-        organizer(max_returns),
+        organizer(max_returns, SelfFilter(c.vehicle, c.mount)),
         segmenter(ground::make_segmenter(c.ground, c.mount, max_returns)),
         extractor(c.features, max_returns),
         odometer(c.odometry, max_returns) {}

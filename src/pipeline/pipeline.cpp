@@ -3,67 +3,62 @@
 #include "pago/pipeline/pipeline.hpp"
 
 #include <exception>
+#include <optional>
 #include <utility>
 
 #include "exchange.hpp"
-#include "pago/assembly/packet_ingest.hpp"
+#include "live_watch.hpp"
 #include "pago/config/load.hpp"
 #include "pago/core/error.hpp"
+#include "pago/core/seqlock.hpp"
 #include "pago/features/features.hpp"
 #include "pago/ground/segmenter.hpp"
 #include "pago/odometry/odometry.hpp"
 #include "pago/pipeline/timed.hpp"
 #include "pago/platform/thread.hpp"
-#include "runner.hpp"
+#include "publication.hpp"
 
 namespace pago {
 
-namespace {
-
-/// What travels to the publisher.
-struct Published {
-  output::SweepRecord record;
-  bool is_end = false;
-};
-
-platform::ThreadPlan plan(const char* name, const ThreadConfig& config) {
-  platform::ThreadPlan result;
-  result.name = name;
-  result.cpu = config.cpu;
-  return result;
-}
-
-}  // namespace
-
 struct Pipeline::Parts {
-  explicit Parts(const Config& c)
+  Parts(const Config& c, Pace p)
       : config(c),
+        pace(p),
         max_returns(static_cast<std::uint32_t>(c.assembly.max_returns)),
         ring(static_cast<std::size_t>(c.assembly.ring_size), max_returns),
         segmenter(ground::make_segmenter(c.ground, c.mount, max_returns)),
         extractor(c.features, max_returns),
         odometer(c.odometry, max_returns),
-        parts(elements(c.assembly.ring_size * c.assembly.sectors)),
-        sweeps(elements(c.assembly.ring_size)),
-        freed(elements(c.assembly.ring_size)) {}
+        pose_maker(c.publish.child, c.mount),
+        parts(c.assembly.ring_size * c.assembly.sectors + 1, max_pending()),
+        sweeps(c.assembly.ring_size + 1, max_pending()),
+        freed(static_cast<std::uint32_t>(c.assembly.ring_size) + 1) {
+    if (is_live()) board.emplace(c.publish.shared_memory);
+  }
 
-  /// Room for all that can be under way and the end mark.
-  static std::uint32_t elements(int under_way) { return static_cast<std::uint32_t>(under_way) + 1; }
+  bool is_live() const noexcept { return pace == Pace::kLive; }
+  int max_pending() const noexcept { return is_live() ? config.pipeline.max_pending : 0; }
 
-  //  source -> ingest ═parts═> ground -> features ═sweeps═> odometry ═records═> publisher
-  //              ^                                             │
-  //              └──────────────── freed sweeps <══════════════┘
+  //  source -> ingest ═parts═> ground -> features ═sweeps═> odometry -> pose ═news═> publisher
+  //              ^                                                       │
+  //              └──────────────────── freed sweeps <════════════════════┘
   template <typename Ingest>
   void flow(Ingest ingest, Observer& observer, RunSummary& summary) {
     Timed ground(StageId::kGround, *segmenter);
     Timed features(StageId::kFeatures, extractor);
     Timed odometry(StageId::kOdometry, odometer);
+    PublishPose first_pose(output::PoseKind::kFirst, pose_maker, board ? &*board : nullptr, outlet);
+    PublishPose refined_pose(output::PoseKind::kRefined, pose_maker, board ? &*board : nullptr, outlet);
     Chain front(ground, features);
-    Chain estimate(odometry);
+    Chain estimate(odometry, first_pose, refined_pose);
+    const auto begin_anew = [this] {
+      // Relaxed: a wish, which guards no data.
+      if (is_reset_requested.exchange(false, std::memory_order_relaxed)) odometer.reset();
+    };
     const auto finish = [this](Sweep* sweep) noexcept {
-      if (sweep == nullptr) return push(records, Published{{}, true});
-      posed += sweep->estimate.has_pose ? 1 : 0;
-      push(records, Published{output::make_record(*sweep), false});
+      if (sweep == nullptr) return outlet.send({News::Kind::kEnd, {}, {}});
+      count_fate(*sweep);
+      outlet.send({News::Kind::kSweep, {}, output::make_record(*sweep)});
       push(freed, sweep);
     };
 
@@ -72,12 +67,13 @@ struct Pipeline::Parts {
     platform::Thread estimate_thread, front_thread, ingest_thread;
     try {
       //                                              thread                        does                writes
-      estimate_thread = {plan("estimate", on.estimate), [&] { run_sweeps(estimate, sweeps, finish); }};
+      estimate_thread = {plan("estimate", on.estimate),
+                         [&] { run_sweeps(estimate, sweeps, begin_anew, finish); }};
       front_thread = {plan("front", on.front), [&] { run_parts(front, parts, sweeps); }};
       ingest_thread = {plan("ingest", on.ingest), [&] { ingest(), exchange.end(); }};
     } catch (...) {  // a thread could not be made: end those that wait already
       exchange.end();
-      push(sweeps, static_cast<Sweep*>(nullptr));
+      push(sweeps.channel, static_cast<Sweep*>(nullptr));
       throw;
     }
 
@@ -85,18 +81,41 @@ struct Pipeline::Parts {
       summary.threads.push_back(platform::describe(thread->plan(), thread->grant()));
     }
     publish(observer);
+    summary.sweeps.posed = fates.posed;
+    summary.sweeps.partial = fates.partial;
+    summary.sweeps.dropped[static_cast<std::size_t>(SweepDrop::kSuperseded)] = fates.dropped_total();
+    summary.unrecorded = outlet.lost();
+  }
+
+  platform::ThreadPlan plan(const char* name, const ThreadConfig& thread) const {
+    platform::ThreadPlan result;
+    result.name = name;
+    result.cpu = thread.cpu;
+    result.fifo_priority = is_live() ? thread.fifo_priority : 0;
+    return result;
+  }
+
+  void count_fate(const Sweep& sweep) noexcept {
+    const SweepHeader& header = sweep.header;
+    if (header.has(kPartialStart) || header.has(kPartialEnd))
+      ++fates.partial;
+    else if (header.has(kSuperseded))
+      ++fates.dropped[static_cast<std::size_t>(SweepDrop::kSuperseded)];
+    else
+      fates.posed += sweep.estimate.has_pose ? 1U : 0U;
   }
 
   void publish(Observer& observer) {
     std::exception_ptr thrown;
-    Published published;
+    News item;
     while (true) {
-      const bool has_record = records.pop_wait(published, kTick_ns);
-      if (has_record && published.is_end) break;
+      const bool has_news = news.pop_wait(item, kTick_ns);
+      if (has_news && item.kind == News::Kind::kEnd) break;
       if (thrown) continue;  // let the threads come to their end
       try {
-        if (has_record) observer.on_sweep(published.record);
-        observer.on_progress({done.load(std::memory_order_relaxed), total.load(std::memory_order_relaxed)});
+        if (has_news && item.kind == News::Kind::kPose) observer.on_pose(item.pose);
+        if (has_news && item.kind == News::Kind::kSweep) observer.on_sweep(item.record);
+        if (IngestStatus now; status.try_load(now)) observer.on_status(now);
       } catch (...) {
         thrown = std::current_exception();
         is_abandoned.store(true, std::memory_order_relaxed);
@@ -105,88 +124,129 @@ struct Pipeline::Parts {
     if (thrown) std::rethrow_exception(thrown);
   }
 
-  /// Relaxed throughout: numbers for a progress line, and a flag that is acted on soon, not at once.
-  bool goes_on(const std::atomic<bool>& stop, const Progress& progress) noexcept {
-    done.store(progress.done, std::memory_order_relaxed);
-    total.store(progress.total, std::memory_order_relaxed);
+  /// Relaxed: flags that are acted on soon, not at once.
+  bool goes_on(const std::atomic<bool>& stop) const noexcept {
     return !stop.load(std::memory_order_relaxed) && !is_abandoned.load(std::memory_order_relaxed);
   }
 
   Config config;
+  Pace pace;
   std::uint32_t max_returns;
   SweepRing ring;
   std::unique_ptr<ground::Segmenter> segmenter;
   features::FeaturesStage extractor;
   odometry::OdometryStage odometer;
-  platform::Channel<SweepPart> parts;
-  platform::Channel<Sweep*> sweeps, freed;
-  platform::Channel<Published> records{256};
-  ReplayExchange exchange{ring, freed, parts};
-  std::uint64_t posed = 0;
+  output::PoseMaker pose_maker;
+  std::optional<output::PoseBoard> board;  // live
+
+  // Between threads. Channels hold all that can be under way, and the end mark.
+  Link<SweepPart> parts;
+  Link<Sweep*> sweeps;
+  platform::Channel<Sweep*> freed;
+  platform::Channel<News> news{256};
+  Seqlock<IngestStatus> status;
+  RingExchange exchange{ring, freed, parts, pace};
+  Outlet outlet{news, /*waits=*/pace == Pace::kReplay};
+  SweepCounters fates;  // of the sweeps that came through
   bool has_run = false;
-  std::atomic<double> done{0.0}, total{0.0};
+  std::atomic<bool> is_reset_requested{false};
   std::atomic<bool> is_abandoned{false};
 };
 
-Pipeline::Pipeline(const Config& config) {
+Pipeline::Pipeline(const Config& config, Pace pace) {
   validate(config);
-  parts_ = std::make_unique<Parts>(config);
+  parts_ = std::make_unique<Parts>(config, pace);
 }
 Pipeline::~Pipeline() = default;
+
+void Pipeline::request_reset() noexcept {
+  parts_->is_reset_requested.store(true, std::memory_order_relaxed);
+}
+
+namespace {
+
+IngestStatus status_of(const PacketSource& source,
+                       const PacketIngest& ingest,
+                       std::int64_t last_delivery_ns) {
+  return {.progress = source.progress(),
+          .source = source.counters(),
+          .packets = ingest.packets(),
+          .firings = ingest.firings(),
+          .sweeps = ingest.sweeps(),
+          .last_delivery_ns = last_delivery_ns,
+          .rotation_hz = ingest.rotation_hz(),
+          .sensor = ingest.sensor(),
+          .is_refused = ingest.is_refused()};
+}
+
+void note(RunSummary& summary, const PacketSource& source, const PacketIngest& ingest) {
+  summary.source = source.counters();
+  summary.packets = ingest.packets();
+  summary.firings = ingest.firings();
+  const AssemblyCounters& sweeps = ingest.sweeps();
+  summary.sweeps.opened = sweeps.opened;
+  summary.sweeps.in_flight = sweeps.is_open;
+  summary.sweeps.dropped[static_cast<std::size_t>(SweepDrop::kNoFreeSweep)] = sweeps.no_free_sweep;
+  summary.incomplete_sweeps = sweeps.incomplete;
+  summary.sensor = hdl64::name(ingest.sensor());
+  summary.clock_restarts = ingest.clock_restarts();
+  summary.self_hits = ingest.self_hits();
+}
+
+}  // namespace
 
 RunSummary Pipeline::run(PacketSource& source,
                          const hdl64::Calibration& calibration,
                          Observer& observer,
                          const std::atomic<bool>& stop) {
   Parts& p = *parts_;
-  PacketIngest ingest(p.config.assembly, p.config.hdl64, calibration, p.exchange);
+  PacketIngest ingest(p.config.assembly, p.config.hdl64, calibration, p.exchange,
+                      SelfFilter(p.config.vehicle, p.config.mount));
+  LiveWatch watch;
   RunSummary summary;
   p.flow(
       [&] {
-        while (!source.all_done() && !ingest.is_refused() && p.goes_on(stop, source.progress())) {
-          for (const Datagram& datagram : source.receive()) ingest.push(datagram);
+        // Live, what cannot be read may be replaced by what can.
+        const auto is_over = [&] { return source.all_done() || (!p.is_live() && ingest.is_refused()); };
+        std::int64_t last_delivery_ns = 0;
+        while (!is_over() && p.goes_on(stop)) {
+          const std::span<const Datagram> batch = source.receive();
+          for (const Datagram& datagram : batch) ingest.push(datagram);
+          if (!batch.empty()) last_delivery_ns = platform::monotonic_ns();
+          if (p.is_live()) watch.after_batch(batch.empty(), ingest);
+          p.status.store(status_of(source, ingest, last_delivery_ns));
         }
-        summary.interrupted = !source.all_done() && !ingest.is_refused();
+        summary.interrupted = !is_over();
         ingest.finish();
-
-        summary.source = source.counters();
-        summary.packets = ingest.packets();
-        summary.firings = ingest.firings();
-        const AssemblyCounters& sweeps = ingest.sweeps();
-        summary.sweeps.opened = sweeps.opened;
-        summary.sweeps.partial = sweeps.partial;
-        summary.sweeps.in_flight = sweeps.is_open;
-        summary.sweeps.dropped[static_cast<std::size_t>(SweepDrop::kNoFreeSweep)] = sweeps.no_free_sweep;
-        summary.incomplete_sweeps = sweeps.incomplete;
-        summary.sensor = hdl64::name(ingest.sensor());
-        summary.clock_restarts = ingest.clock_restarts();
+        note(summary, source, ingest);
         summary.failure = ingest.refusal();
       },
       observer, summary);
-  summary.sweeps.posed = p.posed;
   summary.complaint = source.complaint();
   return summary;
 }
 
 RunSummary Pipeline::run(SweepSource& source, Observer& observer, const std::atomic<bool>& stop) {
   Parts& p = *parts_;
+  if (p.is_live()) throw Error("pipeline", "scans come from files: they are replayed, not received");
   RunSummary summary;
   p.flow(
       [&] {
+        IngestStatus status;
         bool goes_on = true;
-        while ((goes_on = p.goes_on(stop, source.progress()))) {
+        while ((goes_on = p.goes_on(stop))) {
           Sweep* sweep = p.exchange.acquire();
           if (!source.fill(*sweep)) break;
           ++summary.sweeps.opened;
-          summary.sweeps.partial += sweep->header.is_posed() ? 0U : 1U;
           summary.incomplete_sweeps += sweep->header.has(kIncomplete) ? 1U : 0U;
           p.exchange.hand_on({sweep, sweep->size, sweep->header.num_columns, true});
+          status.progress = source.progress();
+          p.status.store(status);
         }
         summary.interrupted = !goes_on;
         summary.failure = source.complaint();
       },
       observer, summary);
-  summary.sweeps.posed = p.posed;
   return summary;
 }
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "backlog.hpp"
 #include "pago/core/stage.hpp"
 #include "pago/platform/channel.hpp"
 
@@ -25,29 +26,49 @@ void push(platform::Channel<T>& out, const T& value) noexcept {
   }
 }
 
-/// A thread's whole life with a stage: parts of sweeps come in, finished sweeps go out. A null sweep is the
+/// What lies between two threads: the channel, and how many complete sweeps wait in it.
+template <typename T>
+struct Link {
+  Link(int elements, int max_pending) : channel(static_cast<std::uint32_t>(elements)), backlog(max_pending) {}
+  platform::Channel<T> channel;
+  Backlog backlog;
+};
+
+/// A thread's whole life with a stage: parts of sweeps come in, finished sweeps go out. Sweeps that the
+/// backlog passes over go out untouched but for their flag: only the last thread frees. A null sweep is the
 /// end of the stream and travels on behind the last one.
 template <Stage S>
-void run_parts(S& stage, platform::Channel<SweepPart>& in, platform::Channel<Sweep*>& out) noexcept {
+void run_parts(S& stage, Link<SweepPart>& in, Link<Sweep*>& out) noexcept {
   const Sweep* open = nullptr;
+  bool is_passed_over = false;
   while (true) {
-    const SweepPart part = pop(in);
+    const SweepPart part = pop(in.channel);
     if (part.sweep == nullptr) break;
-    if (part.sweep != open) stage.begin(*part.sweep);
-    open = part.sweep;
-    stage.accept(part);
+    if (part.sweep != open) {
+      open = part.sweep;
+      is_passed_over = in.backlog.passes_over();
+      if (!is_passed_over) stage.begin(*part.sweep);
+    }
+    if (!is_passed_over) stage.accept(part);
     if (!part.last) continue;
-    stage.finish(*part.sweep);
+    if (is_passed_over)
+      part.sweep->header.flags |= kSuperseded;
+    else
+      stage.finish(*part.sweep);
     open = nullptr;
-    push(out, part.sweep);
+    out.backlog.arrived();
+    push(out.channel, part.sweep);
   }
-  push(out, static_cast<Sweep*>(nullptr));
+  push(out.channel, static_cast<Sweep*>(nullptr));
 }
 
-/// The same for whole sweeps; `done(sweep)` is called with each, and with null at the end.
-template <Stage S, typename Done>
-void run_sweeps(S& stage, platform::Channel<Sweep*>& in, Done done) noexcept {
-  while (Sweep* sweep = pop(in)) {
+/// The same for whole sweeps; `before()` is called ahead of each, `done(sweep)` after it, and with null at
+/// the end.
+template <Stage S, typename Before, typename Done>
+void run_sweeps(S& stage, Link<Sweep*>& in, Before before, Done done) noexcept {
+  while (Sweep* sweep = pop(in.channel)) {
+    before();
+    if (in.backlog.passes_over()) sweep->header.flags |= kSuperseded;
     stage.begin(*sweep);
     stage.accept({sweep, sweep->size, sweep->header.num_columns, true});
     stage.finish(*sweep);

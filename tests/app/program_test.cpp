@@ -1,104 +1,30 @@
 // SPDX-FileCopyrightText: 2026 The PaGO authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include <sys/wait.h>
-#include <unistd.h>
-
-#include <algorithm>
-#include <chrono>
-#include <csignal>
-#include <cstdlib>
-#include <filesystem>
-#include <fstream>
-#include <iterator>
-#include <thread>
-
+#include "app/program.hpp"
 #include "support/catch.hpp"
 #include "support/data.hpp"
-#include "support/pcap_writer.hpp"
-#include "support/street_packets.hpp"
-#include "support/temporary_path.hpp"
 
 using namespace pago;
-namespace fs = std::filesystem;
-
-namespace {
-
-std::string read(const fs::path& file) {
-  std::ifstream in(file);
-  return {std::istreambuf_iterator<char>(in), {}};
-}
-
-std::size_t lines(const std::string& text) {
-  return static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n'));
-}
-
-struct Outcome {
-  int exit_code = -1;
-  std::string out, err;
-};
-
-/// Runs the program in `folder` as a shell would.
-Outcome run_pago(const fs::path& folder, const std::string& arguments) {
-  const fs::path out = folder / "stdout", err = folder / "stderr";
-  const std::string command =
-      "cd '" + folder.string() + "' && '" PAGO_PROGRAM "' " + arguments + " >stdout 2>stderr";
-  const int status = std::system(command.c_str());
-  return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, read(out), read(err)};
-}
-
-/// The street of the pipeline tests as a capture, with its calibration as a ROS yaml beside it.
-fs::path write_capture(const fs::path& folder, int sweeps) {
-  Vector6d twist = Vector6d::Zero();
-  twist[0] = 6.0;
-  const std::vector<test::PacketBytes> packets = test::drive_packets(twist, sweeps);
-  const fs::path capture = folder / "street.pcap";
-  {
-    test::PcapWriter writer(capture);
-    for (std::size_t i = 0; i < packets.size(); ++i) {
-      writer.write_udp(packets[i], 1'700'000'100'000'000'000 + static_cast<std::int64_t>(i) * 288'000);
-    }
-  }
-  std::ofstream yaml(folder / "calibration.yaml");
-  yaml << "distance_resolution: 0.002\nnum_lasers: 64\nlasers:\n";
-  const hdl64::Calibration calibration = test::ideal_calibration();
-  for (int laser = 0; laser < 64; ++laser) {
-    yaml << "- {laser_id: " << laser
-         << ", vert_correction: " << calibration.lasers[static_cast<std::size_t>(laser)].vertical_rad
-         << ", rot_correction: 0.0, dist_correction: 0.0, dist_correction_x: 0.0, dist_correction_y: 0.0, "
-            "vert_offset_correction: 0.0, horiz_offset_correction: 0.0}\n";
-  }
-  return capture;
-}
-
-void require_one_line_and_code_2(const Outcome& outcome, const std::string& mentions) {
-  INFO(outcome.err);
-  REQUIRE(outcome.exit_code == 2);
-  REQUIRE(lines(outcome.err) == 1);
-  REQUIRE(outcome.err.find(mentions) != std::string::npos);
-}
-
-}  // namespace
+using namespace pago::test;
 
 TEST_CASE("a capture becomes a results folder with a pose per sweep", "[app][run]") {
-  const test::TemporaryPath folder("");
-  fs::create_directories(folder.path());
-  write_capture(folder.path(), 4);
+  const StreetFolder folder;
   const Outcome outcome = run_pago(folder.path(), "run street.pcap");
   INFO(outcome.out << outcome.err);
   REQUIRE(outcome.exit_code == 0);
   REQUIRE(outcome.out.find("4 with a pose") != std::string::npos);
   const fs::path results = folder.path() / "results" / "latest";
   for (const char* name : {"odometry.tum", "odometry.kitti", "trajectory.tum", "trajectory.kitti"}) {
-    REQUIRE(lines(read(results / name)) == 4);
+    REQUIRE(count_lines(read_text(results / name)) == 4);
   }
   REQUIRE(fs::file_size(results / "run.json") > 100);
   REQUIRE(fs::file_size(results / "latency.csv") > 100);
   REQUIRE(fs::file_size(results / "trace.json") > 100);
 
   SECTION("the same capture gives the same bytes again, on one core too") {
-    const std::string poses = read(results / "trajectory.kitti");
+    const std::string poses = read_text(results / "trajectory.kitti");
     REQUIRE(run_pago(folder.path(), "run street.pcap --output again").exit_code == 0);
-    REQUIRE(read(folder.path() / "again" / "latest" / "trajectory.kitti") == poses);
+    REQUIRE(read_text(folder.path() / "again" / "latest" / "trajectory.kitti") == poses);
   }
   SECTION("what it wrote can be scored") {
     const Outcome score = run_pago(
@@ -109,33 +35,20 @@ TEST_CASE("a capture becomes a results folder with a pose per sweep", "[app][run
 }
 
 TEST_CASE("a signal ends a run early with every file complete", "[app][run]") {
-  const test::TemporaryPath folder("");
-  fs::create_directories(folder.path());
-  const fs::path capture = write_capture(folder.path(), 20);
-  const std::string output = (folder.path() / "results").string();
-  const pid_t child = fork();
-  if (child == 0) {
-    execl(PAGO_PROGRAM, "pago", "run", capture.c_str(), "--output", output.c_str(), nullptr);
-    _exit(127);
-  }
+  const StreetFolder folder(20);
+  RunningProgram program(folder.path(), {"run", "street.pcap"});
   // Once the first files exist the handlers are about to be set; a moment later they are.
-  while (!fs::exists(fs::path(output) / "latest" / "latency.csv"))
-    std::this_thread::sleep_for(std::chrono::milliseconds(5));
+  program.wait_for("results/latest/latency.csv");
   std::this_thread::sleep_for(std::chrono::milliseconds(200));
-  kill(child, SIGINT);
-  int status = 0;
-  REQUIRE(waitpid(child, &status, 0) == child);
-  REQUIRE(WIFEXITED(status));
-  REQUIRE(WEXITSTATUS(status) == 0);
-  const fs::path results = fs::path(output) / "latest";
-  REQUIRE(read(results / "run.json").find("\"sweeps\"") != std::string::npos);
-  REQUIRE(lines(read(results / "trajectory.tum")) == lines(read(results / "odometry.kitti")));
+  REQUIRE(program.interrupt() == 0);
+  const fs::path results = folder.path() / "results" / "latest";
+  REQUIRE(read_text(results / "run.json").find("\"sweeps\"") != std::string::npos);
+  REQUIRE(count_lines(read_text(results / "trajectory.tum")) ==
+          count_lines(read_text(results / "odometry.kitti")));
 }
 
 TEST_CASE("bad input ends with one clear line and code 2", "[app][refusals]") {
-  const test::TemporaryPath folder("");
-  fs::create_directories(folder.path());
-  const fs::path capture = write_capture(folder.path(), 1);
+  const StreetFolder folder(1);
   const auto run = [&](const std::string& arguments) { return run_pago(folder.path(), arguments); };
   const auto write = [&](const char* name, const std::string& text) {
     std::ofstream(folder.path() / name) << text;
@@ -158,7 +71,7 @@ TEST_CASE("bad input ends with one clear line and code 2", "[app][refusals]") {
   require_one_line_and_code_2(run("run text.pcap"), "text.pcap");
   fs::create_directories(folder.path() / "empty");
   require_one_line_and_code_2(run("run empty"), "empty");
-  const std::string yaml = read(folder.path() / "calibration.yaml");
+  const std::string yaml = read_text(folder.path() / "calibration.yaml");
   write("calibration.yaml", yaml.substr(0, yaml.size() / 2));
   require_one_line_and_code_2(run("run street.pcap"), "calibration.yaml");
   fs::remove(folder.path() / "calibration.yaml");
@@ -167,7 +80,7 @@ TEST_CASE("bad input ends with one clear line and code 2", "[app][refusals]") {
 }
 
 TEST_CASE("help and version answer, and the printed settings can be read back", "[app][help]") {
-  const test::TemporaryPath folder("");
+  const TemporaryPath folder("");
   fs::create_directories(folder.path());
   REQUIRE(run_pago(folder.path(), "--help").out.find("run") != std::string::npos);
   REQUIRE(run_pago(folder.path(), "run --help").exit_code == 0);
@@ -180,9 +93,9 @@ TEST_CASE("help and version answer, and the printed settings can be read back", 
 
 TEST_CASE("captures of other sensors are refused by name", "[app][refusals]") {
   PAGO_DATA_OR_SKIP(captures, "packets/captures");
-  const test::TemporaryPath folder("");
+  const TemporaryPath folder("");
   fs::create_directories(folder.path());
-  const fs::path calibration = test::data_folder() / "packets/drive_0005/calibration.yaml";
+  const fs::path calibration = data_folder() / "packets/drive_0005/calibration.yaml";
   const auto run = [&](const char* name) {
     return run_pago(folder.path(),
                     "run '" + (captures / name).string() + "' --calibration '" + calibration.string() + "'");

@@ -136,7 +136,65 @@ TEST_CASE("a stream of another sensor is refused by name and not decoded", "[ass
   CHECK_THAT(rig.ingest.refusal(), Catch::Contains("HDL-32E"));
   CHECK(rig.collector.sweeps.empty());
   CHECK(rig.ingest.packets().decoded == 0);
-  CHECK(rig.ingest.packets().received < 64);
+  CHECK(rig.ingest.packets().received == 200);
+  CHECK(rig.bad(PacketFault::kOtherSensor) == 200);
+  CHECK(rig.ingest.packets().bad_total() == 200);
+  CHECK(rig.ingest.firings().expected == 0);
+}
+
+TEST_CASE("what was refused may be replaced: asked to, the ingest looks again", "[assembly][packet_ingest]") {
+  Rig rig;
+  PacketBuilder builder;
+  for (int block = 0; block < hdl64::kBlocks; ++block) builder.flag(block, hdl64::kUpperBlock);
+  for (int i = 0; i < 100; ++i) rig.push(builder.bytes(), 553'000 * i);
+  REQUIRE(rig.ingest.is_refused());
+  rig.push(PacketStream(), 0, 50);
+  CHECK(rig.ingest.packets().decoded == 0);
+  rig.ingest.probe_again();
+  CHECK_FALSE(rig.ingest.is_refused());
+  rig.push(PacketStream(), 50, 1000);
+  rig.finish();
+  CHECK(rig.ingest.refusal().empty());
+  CHECK(rig.ingest.packets().decoded == 950);
+  CHECK(rig.ingest.packets().bad_total() == 150);
+  CHECK(rig.ingest.firings().expected == 6 * 950);
+}
+
+TEST_CASE("a silence ends the stream; told of it early or not, the sweeps are the same",
+          "[assembly][packet_ingest]") {
+  constexpr int kMissing = 1100;  // 317 ms
+  const bool is_told = GENERATE(false, true);
+  const PacketStream stream;
+  Rig rig;
+  rig.push(stream, 0, 800);  // two whole rotations and a third of one
+  CHECK(rig.collector.sweeps.size() == 2);
+  if (is_told) {
+    rig.ingest.note_silence();
+    CHECK(rig.collector.sweeps.size() == 3);
+    rig.ingest.note_silence();
+  }
+  rig.push(stream, 800 + kMissing, 2800 + kMissing);
+  rig.finish();
+  REQUIRE(rig.collector.sweeps.size() == 10);
+  CHECK(rig.header(2).has(kPartialEnd));
+  CHECK_FALSE(rig.header(2).is_posed());
+  CHECK(rig.header(3).has(kPartialStart));
+  CHECK(rig.header(3).has(kAfterGap));
+  for (std::size_t i = 4; i < 9; ++i) CHECK(rig.header(i).flags == 0);
+  CHECK(rig.header(2).firings_received + rig.header(1).firings_received + rig.header(0).firings_received ==
+        6 * 800);
+  CHECK(rig.ingest.firings().lost == 6 * kMissing);
+  CHECK(rig.ingest.packets().decoded == 2800);
+}
+
+TEST_CASE("a pause of less than a third of a second is a gap inside the stream",
+          "[assembly][packet_ingest]") {
+  const PacketStream stream;
+  Rig rig;
+  rig.push(stream, 0, 800);
+  rig.push(stream, 1800, 2800);  // 288 ms later
+  rig.finish();
+  for (std::size_t i = 0; i + 1 < rig.collector.sweeps.size(); ++i) CHECK(rig.header(i).is_posed());
 }
 
 TEST_CASE("a stream too short to be recognised is refused with its length", "[assembly][packet_ingest]") {

@@ -13,7 +13,7 @@ inline output::SweepRecord record(std::uint64_t sequence) {
   const std::int64_t start_ns = static_cast<std::int64_t>(sequence) * 100 * kMs;
   output::SweepRecord r;
   r.header.sequence = sequence;
-  r.header.closed_ns = start_ns + 100 * kMs;
+  r.header.closed_ns = r.header.complete_ns = start_ns + 100 * kMs;
   r.stamp_ns = 1'317'378'034'000'000'000 + start_ns;
   r.T_odom_sensor_first[3] = r.T_odom_sensor_refined[3] = static_cast<double>(sequence);
   r.has_pose = true;

@@ -69,7 +69,7 @@ class Assembler {
   /// sweep. Without effect when nothing was added since the last call.
   void interrupt() noexcept;
 
-  /// The stream is over: ends the open sweep.
+  /// The stream is over, or has fallen silent: ends the open sweep. What comes later begins a new stream.
   void finish() noexcept;
 
   /// For the headers of sweeps that are handed on from now on (SweepHeader::clock_offset_ns).
@@ -118,7 +118,8 @@ class Assembler {
 
   std::int64_t rotation_ = 0;  // the present one, by the encoder
   std::uint64_t sequence_ = 0;
-  bool is_first_ = true;  // no rotation was begun yet
+  bool is_first_ = true;       // no rotation was begun yet
+  bool begins_stream_ = true;  // the next sweep is the first of its stream
   Last last_;
 
   // The open sweep.

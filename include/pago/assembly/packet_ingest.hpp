@@ -11,6 +11,7 @@
 #include "pago/assembly/assembler.hpp"
 #include "pago/assembly/blind_sector.hpp"
 #include "pago/assembly/packet_sequencer.hpp"
+#include "pago/assembly/self_filter.hpp"
 #include "pago/assembly/sender_lock.hpp"
 #include "pago/config/hdl64.hpp"
 #include "pago/core/sources.hpp"
@@ -43,8 +44,12 @@ namespace pago {
 /// Sensor time, on which sweeps are built, comes from the device's stamps; how it stands to the time of day
 /// is in each sweep's header: GPS time where the sensor has it, else the host's clock.
 ///
+/// A silence of more than 0.3 s ends a stream: the open sweep is closed, and what comes later begins anew.
+/// The stamps of the next packet show it, so a replay does the same; a live source says so earlier
+/// (note_silence), or the last sweep would wait for a sensor that was switched off.
+///
 /// Of a sensor that PaGO cannot read nothing is decoded, nor of a stream that ends before its sensor is
-/// known: refusal() says which it is.
+/// known: refusal() says which it is. Its datagrams count as bad (kOtherSensor).
 ///
 /// [set-up] constructor allocates; [ingest thread] the rest, real-time safe.
 class PacketIngest {
@@ -52,7 +57,8 @@ class PacketIngest {
   PacketIngest(const AssemblyConfig& assembly,
                const Hdl64Config& sensor,
                const hdl64::Calibration& calibration,
-               SweepExchange& exchange);
+               SweepExchange& exchange,
+               const SelfFilter& self = {});
 
   /// What is known of the sensor beforehand: its power level counts from the first packet on then.
   void assume(const hdl64::SensorStatus& status) noexcept { set_power_level(power_level_of(status)); }
@@ -60,10 +66,17 @@ class PacketIngest {
   /// Takes the next datagram in order of arrival. May acquire a sweep and hand parts on.
   void push(const Datagram& datagram) noexcept;
 
+  /// Nothing has come for more than kBrokenOff_ns: uses what is held back and closes the open sweep.
+  static constexpr std::int64_t kBrokenOff_ns = 300'000'000;
+  void note_silence() noexcept;
+
+  /// Whatever was refused may have been replaced: looks again at what comes. Without effect otherwise.
+  void probe_again() noexcept;
+
   /// The stream is over: uses what is held back and closes the open sweep.
   void finish() noexcept;
 
-  /// True once it is certain that the stream cannot be used; push() ignores what still comes.
+  /// True once it is certain that the stream cannot be used; push() only counts what still comes.
   bool is_refused() const noexcept { return is_refused_; }
   /// Why, in one sentence for the user; empty while all is well. [any but the hot path] allocates.
   std::string refusal() const;
@@ -79,6 +92,8 @@ class PacketIngest {
 
   /// The head's speed, 0 while it does not turn as a sensor does.
   double rotation_hz() const noexcept { return tracker_.is_spinning() ? tracker_.rate_rev_s() : 0.0; }
+  /// Returns so far that were the vehicle's own body and left out.
+  std::uint64_t self_hits() const noexcept { return self_hits_; }
   /// How often the sensor's clock began anew (power cycle, GPS found).
   std::uint64_t clock_restarts() const noexcept { return clock_.restarts(); }
   /// How often the stream became another one: return mode switched, another sensor.
@@ -109,7 +124,10 @@ class PacketIngest {
   void set_power_level(hdl64::PowerLevel level) noexcept;
   void take(Bytes bytes, std::int64_t arrival_ns) noexcept;
   hdl64::DeviceClock::Reading read_clock(Bytes bytes, std::int64_t arrival_ns) noexcept;
+  void refuse_stream() noexcept;
   void refuse(PacketFault fault) noexcept;
+  void count_bad(PacketFault fault) noexcept { ++packets_.bad[static_cast<std::size_t>(fault)]; }
+  void break_off() noexcept;
   void use_all_held() noexcept;
   void restart_clock() noexcept;
   void sequence(const StampedPacket& packet) noexcept;
@@ -122,6 +140,7 @@ class PacketIngest {
   void reconsider_format() noexcept;
   void measure_times() noexcept;
   void assemble(const StampedPacket& packet, bool is_after_blind) noexcept;
+  void remove_own(hdl64::FiringReturns& strongest, hdl64::FiringReturns* others) noexcept;
   void end_rotation_before_blind(double start_rev, double packet_rev) noexcept;
 
   SenderLock sender_;
@@ -169,6 +188,8 @@ class PacketIngest {
   std::int64_t newest_ns_ = 0;
   double newest_end_rev_ = 0.0;  // header azimuth at the end of the newest packet, [0, 1)
 
+  SelfFilter self_;
+  std::uint64_t self_hits_ = 0;
   hdl64::PacketReturns returns_{};
   PacketCounters packets_;
 };

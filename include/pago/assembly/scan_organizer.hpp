@@ -7,6 +7,7 @@
 #include <memory>
 #include <span>
 
+#include "pago/assembly/self_filter.hpp"
 #include "pago/core/sweep.hpp"
 
 namespace pago {
@@ -32,8 +33,9 @@ enum class RingSource : std::uint8_t {
 /// Makes a sweep of a scan that is points alone, one rotation of an HDL-64E from somebody else's driver or
 /// file: finds out which ring each point belongs to, gives it a column, and fills the range image.
 ///
-/// - points: every one stays in its place. Those that are not finite (or beyond 1,000 km) become 0, 0, 0;
-///   these and points on the vertical axis are in no cell of the range image.
+/// - points: every one stays in its place. Those that are not finite (or beyond 1,000 km) and those on the
+///   vehicle's own body become 0, 0, 0; these and points on the vertical axis are in no cell of the range
+///   image.
 /// - ring: scans in KITTI's order go ring by ring from the top, each with rising azimuth; 63 wraps tell the
 ///   rings apart. Scans with other counts (cropped, filtered, in another order) get rings by elevation, which
 ///   is right to within one ring for 96 % of KITTI's returns.
@@ -45,7 +47,7 @@ enum class RingSource : std::uint8_t {
 class ScanOrganizer {
  public:
   /// `max_points` at most 460,800 (5 Hz, dual return).
-  explicit ScanOrganizer(std::size_t max_points);
+  explicit ScanOrganizer(std::size_t max_points, const SelfFilter& self = {});
   ~ScanOrganizer();
 
   /// Needs an empty sweep (Sweep::reset) with header.num_columns in [1, kMaxColumns], size in
@@ -61,6 +63,8 @@ class ScanOrganizer {
 
   /// Scans so far whose rings are not certain (RingSource other than kWraps).
   std::uint64_t scans_with_guessed_rings() const noexcept;
+  /// Points so far that were the vehicle's own body.
+  std::uint64_t self_hits() const noexcept;
   /// Returns so far that found no cell: more in one ring than there are columns.
   std::uint64_t returns_without_cell() const noexcept;
 

@@ -11,6 +11,7 @@
 #include "pago/config/odometry.hpp"
 #include "pago/config/output.hpp"
 #include "pago/config/pipeline.hpp"
+#include "pago/config/vehicle.hpp"
 
 namespace pago {
 
@@ -18,7 +19,9 @@ namespace pago {
 /// or from files and `key=value` words (config/load.hpp). Plain data: copy freely.
 struct Config {
   Mount mount;
+  VehicleConfig vehicle;
   PacketFilterConfig packets;
+  UdpConfig udp;
   KittiConfig kitti;
   Hdl64Config hdl64;
   AssemblyConfig assembly;
@@ -27,12 +30,16 @@ struct Config {
   OdometryConfig odometry;
   PipelineConfig pipeline;
   OutputConfig output;
+  PublishConfig publish;
+  ControlConfig control;
 };
 
 template <typename Visitor>
 void describe(Visitor& v, Config& c) {
   v.section("mount", c.mount, "how the sensor sits on the vehicle");
+  v.section("vehicle", c.vehicle, "the vehicle's own body, whose returns are left out");
   v.section("packets", c.packets, "which datagrams of a socket or a capture are the sensor's");
+  v.section("udp", c.udp, "how a live sensor's socket is read");
   v.section("kitti", c.kitti, "how a folder of KITTI scans is read");
   v.section("hdl64", c.hdl64, "the sensor: its calibration, and how its packets are read");
   v.section("assembly", c.assembly, "packets into sweeps");
@@ -41,6 +48,8 @@ void describe(Visitor& v, Config& c) {
   v.section("odometry", c.odometry, "the motion from one sweep to the next");
   v.section("pipeline", c.pipeline, "threads");
   v.section("output", c.output, "what a run leaves behind");
+  v.section("publish", c.publish, "poses for other processes, while a live sensor is read");
+  v.section("control", c.control, "how a live run is talked to");
 }
 
 }  // namespace pago

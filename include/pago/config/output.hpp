@@ -8,6 +8,41 @@
 
 namespace pago {
 
+/// Whose pose others get.
+enum class PoseChild { kBaseLink, kSensor };
+
+/// [publish] Poses for other processes, while a live sensor is read.
+struct PublishConfig {
+  PoseChild child = PoseChild::kBaseLink;
+  std::string shared_memory = "pago";
+  std::string udp;
+  std::string json_lines;
+};
+
+template <typename Visitor>
+void describe(Visitor& v, PublishConfig& c) {
+  v("child", c.child,
+    choices(std::pair{"base_link", PoseChild::kBaseLink}, std::pair{"sensor", PoseChild::kSensor}),
+    "whose pose is published: of the vehicle's base_link, through the mount, or of the sensor");
+  v("shared_memory", c.shared_memory,
+    "the newest first and refined pose in /dev/shm under this name (pago/output/pose_v1.h); empty: not "
+    "there");
+  v("udp", c.udp, "address:port that gets each pose as a datagram (pago/output/pose_v1.h); empty: none");
+  v("json_lines", c.json_lines,
+    "file that gets each refined pose as a line of JSON; - is the terminal; empty: none");
+}
+
+/// [control]
+struct ControlConfig {
+  std::string socket;
+};
+
+template <typename Visitor>
+void describe(Visitor& v, ControlConfig& c) {
+  v("socket", c.socket,
+    "Unix socket by which `pago ctl` talks to this run; empty: the user's usual one; none: not at all");
+}
+
 /// [output]
 struct OutputConfig {
   std::string folder = "results";

@@ -24,6 +24,7 @@ struct PipelineConfig {
   ThreadConfig ingest{0, 80};
   ThreadConfig front{0, 70};
   ThreadConfig estimate{1, 70};
+  int max_pending = 2;
 };
 
 template <typename Visitor>
@@ -31,6 +32,9 @@ void describe(Visitor& v, PipelineConfig& c) {
   v.section("ingest", c.ingest, "receives, decodes and assembles");
   v.section("front", c.front, "ground, clusters and features");
   v.section("estimate", c.estimate, "odometry and mapping");
+  v("max_pending", c.max_pending, within(1, 64),
+    "while a live sensor is read: when more complete sweeps than this wait for a thread, it skips to the "
+    "newest");
 }
 
 }  // namespace pago

@@ -11,10 +11,11 @@ namespace pago {
 /// Why a datagram that reached the decoder was not used.
 enum class PacketFault : std::uint8_t {
   kNone,
-  kSize,       ///< not 1,206 bytes
-  kBlockFlag,  ///< a block starts with neither EEFF nor DDFF, or they do not alternate
-  kAzimuth,    ///< an azimuth beyond 359.99 degrees
-  kStamp,      ///< a device stamp that fits no time around it
+  kSize,         ///< not 1,206 bytes
+  kBlockFlag,    ///< a block starts with neither EEFF nor DDFF, or they do not alternate
+  kAzimuth,      ///< an azimuth beyond 359.99 degrees
+  kStamp,        ///< a device stamp that fits no time around it
+  kOtherSensor,  ///< from a sensor that PaGO does not read, or cannot tell
   kCount
 };
 std::string_view to_string(PacketFault fault) noexcept;

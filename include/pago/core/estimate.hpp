@@ -43,6 +43,8 @@ struct Estimate {
   /// Of the refined pose's last increment, right perturbation in the sensor frame, order x y z roll pitch
   /// yaw; m^2, m rad, rad^2.
   Matrix6d covariance = Matrix6d::Zero();
+  /// Of the sensor, in its own frame, order x y z roll pitch yaw; m/s and rad/s.
+  Vector6d twist = Vector6d::Zero();
   Health health = Health::kInit;
   HealthReason reason = HealthReason::kFirstSweep;
   bool has_pose = false;  ///< false for partial sweeps at either end of a run, superseded and refused ones

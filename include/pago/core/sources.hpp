@@ -27,6 +27,9 @@ struct SourceCounters {
   std::uint64_t truncated = 0;      ///< recorded or received shorter than it was sent
   std::uint64_t fragment_lost = 0;  ///< a fragment whose siblings never came
   std::uint64_t malformed = 0;      ///< link, IP or UDP header that contradicts itself
+  /// Not among the received: the kernel had no room for them (its own count, SO_RXQ_OVFL). They show again as
+  /// lost firings.
+  std::uint64_t kernel_dropped = 0;
 
   std::uint64_t bad() const noexcept { return truncated + fragment_lost + malformed; }
   bool balanced() const noexcept { return received == delivered + filtered + bad(); }

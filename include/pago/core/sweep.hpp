@@ -42,7 +42,10 @@ struct SweepHeader {
   /// exact; this one follows the host's clock, and steps when that is set. 0 where GPS keeps the sensor's.
   std::int64_t clock_offset_ns = 0;
   std::int64_t first_arrival_ns = 0, last_arrival_ns = 0;  ///< host arrival of its first and last packet
-  std::int64_t closed_ns = 0;     ///< monotonic clock when the assembler handed it on
+  std::int64_t closed_ns = 0;  ///< monotonic clock when the assembler handed it on
+  /// Monotonic clock when its last packet arrived, as well as the host's clock tells (last_arrival_ns); in a
+  /// replay, where arrival was long ago: closed_ns. Latency counts from here.
+  std::int64_t complete_ns = 0;
   std::uint32_t num_columns = 0;  ///< firings in the rotation = used columns of the range image
   std::uint32_t firings_received = 0, firings_lost = 0;
   std::uint32_t firings_blind = 0;  ///< never sent: the sensor's field of view is limited

@@ -41,7 +41,9 @@ class KittiSource final : public SweepSource {
   static constexpr std::size_t kMaxPoints = 460'800;
 
   /// Throws Error if there are no scans, or the stamp file is damaged or does not match them.
-  explicit KittiSource(const std::filesystem::path& folder, const KittiConfig& config = {});
+  explicit KittiSource(const std::filesystem::path& folder,
+                       const KittiConfig& config = {},
+                       const SelfFilter& self = {});
   ~KittiSource() override;
 
   bool fill(Sweep& sweep) noexcept override;
@@ -56,6 +58,8 @@ class KittiSource final : public SweepSource {
   bool has_stamps() const noexcept;
   /// Scans so far whose rings are not certain.
   std::uint64_t scans_with_guessed_rings() const noexcept;
+  /// Points so far that were the vehicle's own body.
+  std::uint64_t self_hits() const noexcept;
   /// Returns so far that found no cell: more than kKittiColumns in one ring.
   std::uint64_t returns_without_cell() const noexcept;
 

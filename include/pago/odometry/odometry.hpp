@@ -23,6 +23,9 @@ class OdometryStage {
   void accept(const SweepPart&) noexcept {}
   void finish(Sweep& sweep) noexcept;
 
+  /// As if no sweep had come yet: the next one defines `odom` anew.
+  void reset() noexcept;
+
  private:
   struct Instants {
     std::int64_t reference_ns = 0;  // poses are chained between these

@@ -25,8 +25,8 @@ struct StageSplit {
 };
 std::array<StageSplit, kNumStages> split_times(const SweepRecord& record) noexcept;
 
-/// From the moment the assembler closed the sweep to the pose: when odometry (first) and mapping (refined)
-/// were done. Below 0: there is none.
+/// From the arrival of the sweep's last packet (in a replay: from the closing of the sweep) to the pose: when
+/// odometry (first) and mapping (refined) were done. Below 0: there is none.
 std::int64_t first_pose_ns(const SweepRecord& record) noexcept;
 std::int64_t refined_pose_ns(const SweepRecord& record) noexcept;
 

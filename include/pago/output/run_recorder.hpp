@@ -36,6 +36,10 @@ class RunRecorder {
   /// Writes run.json and trace.json, and flushes the rest. May be called again with a newer report.
   void finish(const RunReport& report);
 
+  /// Writes the last sweeps' stages to trace_N.json, N being the newest sweep; returns the file, or nothing
+  /// if there is no trace or it cannot be written (see complaints()).
+  std::string save_trace();
+
   /// One sentence per file that is incomplete; certain after flush() or finish().
   std::vector<std::string> complaints() const;
 
@@ -53,6 +57,7 @@ class RunRecorder {
   TrajectoryWriter first_, refined_;
   LatencyCsv latency_;
   Trace trace_;
+  std::uint64_t newest_sequence_ = 0;
   RunTotals totals_;
   std::vector<std::string> end_complaints_;
 };

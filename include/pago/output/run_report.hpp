@@ -45,8 +45,9 @@ struct RunReport {
   std::optional<PacketCounters> packets;
   std::optional<FiringCounters> firings;
   SweepCounters sweeps;
-  double wall_s = 0.0;    ///< how long the run took
-  std::string complaint;  ///< empty, or why the run ended before its source did
+  std::uint64_t self_hits = 0;  ///< returns on the vehicle's own body, left out
+  double wall_s = 0.0;          ///< how long the run took
+  std::string complaint;        ///< empty, or why the run ended before its source did
 };
 
 /// run.json: everything above as one object; durations in ms.

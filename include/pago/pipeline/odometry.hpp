@@ -54,11 +54,11 @@ struct Scan {
 /// Then the estimate has no pose, the health is LOST, its reason kRefusedScan, and refusal() has the words. A
 /// scan that is not later than the last one, or much later, is no such case: its reason is kTimeGap.
 ///
-/// Of the configuration it uses `mount`, `ground`, `features`, `odometry` and `assembly.max_returns`. Objects
-/// are independent of each other. [set-up] constructor; [one thread at a time] the rest. process() is
-/// real-time safe: no allocation, lock, file or log; 25 ms of CPU time for one of KITTI's scans of 120,000
-/// points (measured on a busy machine), six times that where a first motion has to be found
-/// (second scan, time gap).
+/// Of the configuration it uses `mount`, `vehicle`, `ground`, `features`, `odometry` and
+/// `assembly.max_returns`. Objects are independent of each other. [set-up] constructor; [one thread at a
+/// time] the rest. process() is real-time safe: no allocation, lock, file or log; 25 ms of CPU time for one
+/// of KITTI's scans of 120,000 points (measured on a busy machine), six times that where a first motion has
+/// to be found (second scan, time gap).
 class Odometry {
  public:
   /// Allocates all that will be needed. Throws Error: a setting that cannot be used.

@@ -11,9 +11,22 @@
 #include "pago/core/counters.hpp"
 #include "pago/core/sources.hpp"
 #include "pago/hdl64/calibration.hpp"
+#include "pago/output/pose_board.hpp"
 #include "pago/output/sweep_record.hpp"
+#include "pago/pipeline/run_status.hpp"
 
 namespace pago {
+
+/// How a run treats time.
+enum class Pace : std::uint8_t {
+  /// The source waits for the pipeline: nothing is dropped, and the outcome depends on the input and the
+  /// configuration alone.
+  kReplay,
+  /// The pipeline keeps up with the source: where it cannot, whole sweeps are dropped, counted by cause;
+  /// poses
+  /// are published to other processes; threads ask for their real-time priorities.
+  kLive
+};
 
 /// Learns what comes out of the pipeline while it runs, on the thread that called run(); not real-time. What
 /// it throws ends the run and comes out of run().
@@ -22,8 +35,10 @@ class Observer {
   virtual ~Observer() = default;
   /// A sweep has gone through all stages. In order, one call for each sweep that was handed on.
   virtual void on_sweep(const output::SweepRecord& record) = 0;
-  /// After each sweep, and at least ten times a second while nothing comes.
-  virtual void on_progress(const Progress&) {}
+  /// Live runs: a pose was published (first and refined, for each sweep that has one).
+  virtual void on_pose(const output::PoseV1&) {}
+  /// After each of the above, and at least ten times a second while nothing comes.
+  virtual void on_status(const IngestStatus&) {}
 };
 
 /// How a run went. All counters are final and balanced.
@@ -34,10 +49,12 @@ struct RunSummary {
   SweepCounters sweeps;
   std::uint64_t incomplete_sweeps = 0;  ///< posed, but more than 10 % of the rotation was missing
   std::uint64_t clock_restarts = 0;     ///< of the sensor's clock: power cycles, GPS found
-  std::string sensor;                   ///< what the stream came from, e.g. "HDL-64E S2/S3, single return"
-  std::vector<std::string> threads;     ///< what each thread asked for and got
-  std::string complaint;  ///< the source's own words if it ended early; what came before was used
-  std::string failure;    ///< why the run could not be completed; empty if it was
+  std::uint64_t self_hits = 0;   ///< returns that were the vehicle's own body and left out; packet runs only
+  std::uint64_t unrecorded = 0;  ///< live: sweeps and poses that the observer was too slow for
+  std::string sensor;            ///< what the stream came from, e.g. "HDL-64E S2/S3, single return"
+  std::vector<std::string> threads;  ///< what each thread asked for and got
+  std::string complaint;             ///< the source's own words if it ended early; what came before was used
+  std::string failure;               ///< why the run could not be completed; empty if it was
   bool interrupted = false;
 
   bool balanced() const noexcept {
@@ -50,16 +67,21 @@ struct RunSummary {
 /// Error; the threads that run() starts allocate nothing.
 class Pipeline {
  public:
-  explicit Pipeline(const Config& config);
+  explicit Pipeline(const Config& config, Pace pace = Pace::kReplay);
   ~Pipeline();
 
-  /// Works until the source is exhausted or `stop` becomes true. A replay: the source waits for the pipeline,
-  /// nothing is dropped, and the outcome depends on the input and the configuration alone.
+  /// Works until the source is exhausted or `stop` becomes true. Whoever has packets but no source puts a
+  /// PacketInbox between.
   RunSummary run(PacketSource& source,
                  const hdl64::Calibration& calibration,
                  Observer& observer,
                  const std::atomic<bool>& stop);
+  /// Replay alone: scans come from files.
   RunSummary run(SweepSource& source, Observer& observer, const std::atomic<bool>& stop);
+
+  /// [any thread] While it runs: odometry begins anew at the next sweep, which defines `odom`. Real-time
+  /// safe.
+  void request_reset() noexcept;
 
  private:
   struct Parts;

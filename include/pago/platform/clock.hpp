@@ -29,4 +29,11 @@ inline std::int64_t thread_cpu_ns() noexcept {
   return read_clock_ns(CLOCK_THREAD_CPUTIME_ID);
 }
 
+/// [any thread] Sleeps until the monotonic clock shows `at_ns`; returns at once if it already does, and early
+/// if a signal comes. One system call, about 50 us of wake-up.
+inline void sleep_until_ns(std::int64_t at_ns) noexcept {
+  const timespec until{.tv_sec = at_ns / 1'000'000'000, .tv_nsec = at_ns % 1'000'000'000};
+  clock_nanosleep(CLOCK_MONOTONIC, TIMER_ABSTIME, &until, nullptr);
+}
+
 }  // namespace pago::platform

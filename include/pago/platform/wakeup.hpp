@@ -73,4 +73,8 @@ class Wakeup {
   static_assert(std::atomic<std::uint32_t>::is_always_lock_free);
 };
 
+/// Wakes every thread, of whatever process, that sleeps on this word of shared memory (futex(2), without
+/// FUTEX_PRIVATE_FLAG). [any thread] real-time safe; 0.3 us when nobody sleeps.
+void wake_sharers(std::atomic<std::uint32_t>& word) noexcept;
+
 }  // namespace pago::platform

@@ -1,0 +1,96 @@
+// SPDX-FileCopyrightText: 2026 The PaGO authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "recording.hpp"
+
+#include "pago/config/load.hpp"
+#include "pago/core/text.hpp"
+
+namespace pago::app {
+
+namespace {
+
+output::RunReport common_report(const std::string& source, const Config& config, double wall_s) {
+  output::RunReport report;
+  report.version = PAGO_VERSION;
+  report.source = source;
+  report.config_toml = dump_toml(config);
+  report.facts.emplace_back("ground", config.ground.method);
+  report.wall_s = wall_s;
+  return report;
+}
+
+}  // namespace
+
+output::RunReport report_of(const RunSummary& summary,
+                            const std::string& source,
+                            const Config& config,
+                            bool has_packets,
+                            double wall_s) {
+  output::RunReport report = common_report(source, config, wall_s);
+  if (has_packets) {
+    report.facts.emplace_back("sensor", summary.sensor);
+    report.facts.emplace_back("calibration", config.hdl64.calibration);
+    report.source_counters = summary.source;
+    report.packets = summary.packets;
+    report.firings = summary.firings;
+  }
+  for (const std::string& thread : summary.threads) report.facts.emplace_back("thread", thread);
+  report.sweeps = summary.sweeps;
+  report.self_hits = summary.self_hits;
+  report.complaint = summary.failure.empty() ? summary.complaint : summary.failure;
+  if (report.complaint.empty() && summary.interrupted) report.complaint = "stopped by a signal";
+  return report;
+}
+
+output::RunReport report_so_far(const IngestStatus& status,
+                                const std::string& source,
+                                const Config& config,
+                                double wall_s) {
+  output::RunReport report = common_report(source, config, wall_s);
+  report.facts.emplace_back("sensor", std::string(hdl64::name(status.sensor)));
+  report.facts.emplace_back("calibration", config.hdl64.calibration);
+  report.source_counters = status.source;
+  report.packets = status.packets;
+  report.firings = status.firings;
+  report.complaint = "saved while running";
+  return report;
+}
+
+std::vector<std::string> doubts(const RunSummary& summary,
+                                const output::RunTotals& totals,
+                                const OpenSource& source) {
+  std::vector<std::string> result;
+  const PacketCounters& packets = summary.packets;
+  if (summary.failure.empty() && totals.num_poses == 0)
+    result.emplace_back("no complete rotation, so no pose");
+  if (packets.late + packets.duplicate > packets.decoded / 10) {
+    result.emplace_back(
+        "many packets are late or duplicate: if several sensors send to this port, choose one by "
+        "packets.source_address");
+  }
+  if (packets.bad_total() > packets.decoded) result.emplace_back("most packets are damaged, see run.json");
+  if (summary.clock_restarts > 0) {
+    result.push_back("the sensor's clock began anew " + std::to_string(summary.clock_restarts) +
+                     " times (switched off and on, or GPS found): the motion in between is unknown");
+  }
+  if (summary.unrecorded > 0) {
+    result.push_back(std::to_string(summary.unrecorded) +
+                     " sweeps and poses are missing in the files: the disk was too slow");
+  }
+  if (const auto* folder = std::get_if<OpenFolder>(&source)) {
+    if (const auto scans = folder->sweeps->scans_with_guessed_rings(); scans > 0) {
+      result.push_back(std::to_string(scans) +
+                       " scans are not ring by ring as KITTI's are: their rings are guessed");
+    }
+  }
+  return result;
+}
+
+int exit_code(const RunSummary& summary, const output::RunTotals& totals, bool is_recorded, bool is_live) {
+  // A sensor that never came is no fault of a run that was stopped while it waited.
+  const bool has_failed = !summary.failure.empty() && !(is_live && summary.interrupted);
+  if (has_failed) return totals.num_poses == 0 ? 2 : 1;
+  return summary.balanced() && is_recorded ? 0 : 1;
+}
+
+}  // namespace pago::app

@@ -1,0 +1,124 @@
+// SPDX-FileCopyrightText: 2026 The PaGO authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <chrono>
+#include <nlohmann/json.hpp>
+#include <thread>
+
+#include "app/program.hpp"
+#include "pago/udp/udp_source.hpp"
+#include "support/catch.hpp"
+
+using namespace pago;
+using namespace pago::test;
+
+namespace {
+
+/// A port that nothing listens on.
+int free_port() {
+  return UdpSource({"127.0.0.1", 0}).port();
+}
+
+/// A pago that reads a live sensor on a port of its own.
+struct LiveRun {
+  LiveRun()
+      : port(free_port()),
+        program(
+            folder.path(),
+            {"run", "udp://127.0.0.1:" + std::to_string(port), "--calibration", "calibration.yaml", "--set",
+             "control.socket=ctl", "--set", "publish.shared_memory=pago_test_" + std::to_string(port),
+             "--set", "publish.json_lines=poses.jsonl"}) {
+    program.wait_for("ctl");
+  }
+
+  nlohmann::json ctl(const std::string& request) {
+    const Outcome outcome = run_pago(folder.path(), "ctl " + request + " --socket ctl");
+    INFO(outcome.err);
+    REQUIRE(outcome.exit_code == 0);
+    return nlohmann::json::parse(outcome.out);
+  }
+  /// Until the status says so, or it clearly never will.
+  bool comes_to(const std::string& key, const nlohmann::json& value) {
+    for (int i = 0; i < 200; ++i) {
+      if (ctl("status")[key] == value) return true;
+      std::this_thread::sleep_for(std::chrono::milliseconds(50));
+    }
+    return false;
+  }
+  std::string log() const { return read_text(folder.path() / "results/latest/log.txt"); }
+
+  StreetFolder folder;
+  int port;
+  RunningProgram program;
+};
+
+}  // namespace
+
+TEST_CASE("started before its sensor, a live run waits, says so, and goes on when it comes", "[app][live]") {
+  LiveRun live;
+  CHECK(live.ctl("status")["state"] == "no data");
+  std::this_thread::sleep_for(std::chrono::milliseconds(1200));
+  const Outcome played = run_pago(live.folder.path(),
+                                  "play street.pcap --speed 0.5 --to 127.0.0.1:" + std::to_string(live.port));
+  INFO(played.out << played.err);
+  REQUIRE(played.exit_code == 0);
+  CHECK(played.out.find("% of a core") != std::string::npos);
+  CHECK(live.comes_to("state", "silent"));
+  const nlohmann::json status = live.ctl("status");
+  CHECK(status["poses"].get<int>() >= 2);
+  CHECK(status["packets"]["decoded"] == live.folder.num_packets());
+
+  const std::string saved = live.ctl("save")["folder"];
+  CHECK(fs::exists(live.folder.path() / saved / "run.json"));
+  CHECK(fs::exists(live.folder.path() / live.ctl("trace")["trace"].get<std::string>()));
+  live.ctl("reset");
+
+  CHECK(live.program.interrupt() == 0);
+  CHECK(live.log().find("no data on udp://127.0.0.1") != std::string::npos);
+  CHECK(live.log().find("HDL-64E") != std::string::npos);
+  CHECK(live.log().find("has fallen silent") != std::string::npos);
+  CHECK(live.log().find("reset") != std::string::npos);
+  const auto report = nlohmann::json::parse(read_text(live.folder.path() / "results/latest/run.json"));
+  CHECK(report["packets"]["decoded"] == live.folder.num_packets());
+  CHECK(report["sweeps"]["balanced"] == true);
+  CHECK(report["datagrams"]["balanced"] == true);
+  const std::string lines = read_text(live.folder.path() / "poses.jsonl");
+  CHECK(std::count(lines.begin(), lines.end(), '\n') == report["trajectory"]["poses"].get<int>());
+}
+
+TEST_CASE("a live run whose sensor never comes ends well when it is stopped", "[app][live]") {
+  LiveRun live;
+  CHECK(live.program.interrupt() == 0);
+}
+
+TEST_CASE("what keeps a live run from starting is said in one line, before anything is written",
+          "[app][live][refusals]") {
+  const StreetFolder folder;
+  const UdpSource taken({"127.0.0.1", 0});
+  const std::string source = "run udp://127.0.0.1:" + std::to_string(taken.port());
+  const std::string free = "run udp://127.0.0.1:0 --calibration calibration.yaml --set control.socket=none";
+  const auto run = [&](const std::string& arguments) { return run_pago(folder.path(), arguments); };
+  require_one_line_and_code_2(run(source + " --calibration calibration.yaml"),
+                              "another program has the port");
+  require_one_line_and_code_2(run(source), "no calibration given");
+  require_one_line_and_code_2(run("run udp://eth0:2368 --calibration calibration.yaml"), "eth0");
+  require_one_line_and_code_2(run(free + " --set publish.udp=nowhere"), "publish.udp");
+  require_one_line_and_code_2(run(free + " --set publish.shared_memory=a/b"), "shared memory");
+  require_one_line_and_code_2(run(free + " --set publish.json_lines=no/folder/file"), "no/folder/file");
+  require_one_line_and_code_2(run("ctl status --socket nobody"), "no running pago listens there");
+  require_one_line_and_code_2(run("ctl dance"), "dance");
+  require_one_line_and_code_2(run("play missing.pcap"), "missing.pcap");
+  require_one_line_and_code_2(run("play street.pcap --port 9"), "no datagram to port 9");
+  require_one_line_and_code_2(run("play street.pcap --to 127.0.0.1:0"), "names no port");
+  CHECK_FALSE(fs::exists(folder.path() / "results"));
+}
+
+TEST_CASE("a capture replayed in real time behaves as live, scans cannot be", "[app][live]") {
+  const StreetFolder folder;
+  const Outcome outcome = run_pago(folder.path(),
+                                   "run street.pcap --realtime --set control.socket=none --set "
+                                   "publish.shared_memory= --set publish.json_lines=poses.jsonl");
+  INFO(outcome.out << outcome.err);
+  REQUIRE(outcome.exit_code == 0);
+  CHECK_FALSE(read_text(folder.path() / "poses.jsonl").empty());
+  CHECK(fs::exists(folder.path() / "results/latest/log.txt"));
+}
