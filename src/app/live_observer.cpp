@@ -87,6 +87,7 @@ void LiveObserver::on_status(const IngestStatus& status) {
   now_ = status;
   line_.show(status.progress);
   note_state();
+  note_sensor();
   if (Clock::now() >= next_losses_) note_losses();
   if (outlets_.control) outlets_.control->serve([this](output::Request request) { return handle(request); });
 }
@@ -104,6 +105,17 @@ void LiveObserver::note_state() {
     log_.info(sentence);
   else
     log_.warn(sentence);
+}
+
+void LiveObserver::note_sensor() {
+  for (const std::string& warning : hdl64::warnings_of(now_.said)) {
+    if (!told_warnings_.insert(warning).second) continue;
+    line_.clear();
+    log_.warn("the sensor says: " + warning);
+  }
+  if (!now_.is_calibration_wrong || !told_warnings_.insert("calibration").second) return;
+  line_.clear();
+  log_.warn("wrong calibration: it is not the one that this sensor sends; `pago inspect` shows by how much");
 }
 
 void LiveObserver::note_losses() {
@@ -148,6 +160,13 @@ std::string LiveObserver::status_json() const {
       {"health", to_string(health_)},
       {"uptime_s", std::chrono::duration<double>(Clock::now() - start_).count()},
       {"rotation_hz", now_.rotation_hz},
+      {"sensor",
+       {{"temperature_c", now_.said.temperature_c},
+        {"warnings", hdl64::warnings_of(now_.said)},
+        {"firmware", hdl64::firmware_of(now_.said)},
+        {"gps", to_string(now_.said.gps)},
+        {"clock_drift_ppm", now_.clock_drift_ppm},
+        {"calibration_is_its_own", !now_.is_calibration_wrong}}},
       {"poses", recorder_.totals().num_poses},
       {"length_m", recorder_.totals().length_m},
       {"position_m", newest_.position_m},

@@ -5,6 +5,7 @@
 #include <chrono>
 #include <functional>
 #include <memory>
+#include <set>
 #include <string>
 
 #include "log.hpp"
@@ -50,6 +51,7 @@ class LiveObserver final : public Observer {
   std::string handle(output::Request request);
   std::string status_json() const;
   void note_state();
+  void note_sensor();
   void note_losses();
 
   LiveOutlets& outlets_;
@@ -64,6 +66,7 @@ class LiveObserver final : public Observer {
   IngestStatus now_, told_;  // told: what the last message about losses covered
   StreamState state_ = StreamState::kCount;
   Health health_ = Health::kInit;
+  std::set<std::string> told_warnings_;
   std::uint64_t superseded_ = 0, told_superseded_ = 0;
   output::PoseV1 newest_{};
 };

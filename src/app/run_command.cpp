@@ -27,6 +27,7 @@ namespace {
 
 struct RunOptions {
   std::string source, output, calibration, ground;
+  PartOptions part;
   bool is_realtime = false;
   SettingsOptions settings;
 };
@@ -50,6 +51,7 @@ Config load(const RunOptions& options) {
   if (!options.calibration.empty()) config.hdl64.calibration = options.calibration;
   if (!options.ground.empty()) config.ground.method = options.ground;
   if (!options.output.empty()) config.output.folder = options.output;
+  options.part.apply(config);
   validate(config);
   return config;
 }
@@ -124,11 +126,11 @@ RunSummary replay(Prepared& run, output::RunRecorder& recorder) {
 int run_command(const RunOptions& options) {
   stop_on_signals();
   Config config = load(options);
-  const bool is_calibration_chosen = !config.hdl64.calibration.empty();
   Prepared run = prepare(options, config);
-  if (!is_calibration_chosen && !config.hdl64.calibration.empty()) {
-    std::cout << "calibration  " << config.hdl64.calibration << ", found beside the capture\n";
-  }
+  if (const OpenPackets* open = run.packets(); open != nullptr && !open->calibration_note.empty())
+    std::cout << "calibration  " << open->calibration_note << '\n';
+  if (const OpenPackets* open = run.packets(); open != nullptr && !run.is_live)
+    for (const std::string& warning : open->warnings) std::cerr << "pago: " << warning << '\n';
   const output::ResultsFolder results = output::create_results_folder(config.output.folder);
   auto recorder = std::make_unique<output::RunRecorder>(results.folder, config.output);
 
@@ -168,7 +170,8 @@ void add_run_command(CLI::App& program, Action& action) {
   command
       .add_option(
           "--calibration", options->calibration,
-          "the unit's db.xml or ROS yaml; default: calibration.xml, .yaml or db.xml beside the capture")
+          "the unit's db.xml or ROS yaml, or `sensor`: the one that it sends itself (S2.1, S3); default: "
+          "calibration.xml, .yaml or db.xml beside the capture, else the sensor's")
       ->type_name("FILE");
   command.add_option("--ground", options->ground, "ground segmentation: patchwork (default) or lego")
       ->type_name("NAME");
@@ -178,6 +181,7 @@ void add_run_command(CLI::App& program, Action& action) {
   command
       .add_option("--output", options->output, "folder that gets a new folder for each run; default: results")
       ->type_name("DIR");
+  options->part.add_to(command);
   options->settings.add_to(command);
   command.callback([&action, options] { action = [options] { return run_command(*options); }; });
 }

@@ -40,6 +40,7 @@ PacketIngest::PacketIngest(const AssemblyConfig& assembly,
       cut_rev_(assembly.cut_azimuth_deg / 360.0),
       unidentified_(hdl64::StreamProbe::kMaxPackets),
       lasers_(calibration.lasers),
+      power_level_(calibration.power_level),
       held_(kHold),
       held_azimuths_(kHold),
       self_(self) {}

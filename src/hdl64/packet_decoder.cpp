@@ -49,7 +49,7 @@ PacketDecoder::PacketDecoder(const Calibration& calibration, double min_range_m,
     : distance_lsb_m_(static_cast<float>(calibration.distance_lsb_m)) {
   for (std::size_t laser = 0; laser < kLasers; ++laser)
     fill_laser(calibration, laser, min_range_m, max_range_m);
-  set_power_level(PowerLevel::kPlain);
+  set_power_level(calibration.power_level);
   set_format({});
 }
 

@@ -283,6 +283,7 @@ std::optional<Calibration> StatusReader::calibration(VerticalOffset vertical_off
     return laser.distance_x_m != laser.distance_m || laser.distance_y_m != laser.distance_m;
   });
   result.vertical_offset = vertical_offset;
+  result.power_level = power_level_of(status_);
   result.origin = "the sensor's own, from its status bytes";
   return result;
 }

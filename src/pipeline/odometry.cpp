@@ -90,7 +90,7 @@ struct Odometry::Parts {
 
 Odometry::Odometry(const Config& config) {
   validate(config);
-  parts_ = std::make_unique<Parts>(config, static_cast<std::uint32_t>(config.assembly.max_returns));
+  parts_ = std::make_unique<Parts>(config, max_returns_of(config.assembly, /*can_be_dual=*/false));
 }
 Odometry::~Odometry() = default;
 Odometry::Odometry(Odometry&&) noexcept = default;

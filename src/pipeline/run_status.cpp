@@ -4,6 +4,7 @@
 
 #include <array>
 
+#include "pago/config/packet_filter.hpp"
 #include "pago/core/text.hpp"
 
 namespace pago {
@@ -14,6 +15,10 @@ constexpr std::int64_t kSilence_ns = 300'000'000;
 
 unsigned long long number(std::uint64_t n) {
   return n;
+}
+
+std::uint64_t of_other_sizes(const IngestStatus& status) noexcept {
+  return status.packets.bad[static_cast<std::size_t>(PacketFault::kSize)];
 }
 
 }  // namespace
@@ -27,6 +32,8 @@ std::string_view to_string(StreamState state) noexcept {
 StreamState stream_state(const IngestStatus& status, std::int64_t now_monotonic_ns) noexcept {
   if (status.source.delivered == 0)
     return status.source.received == 0 ? StreamState::kNoData : StreamState::kForeign;
+  if (status.packets.received > 0 && of_other_sizes(status) == status.packets.received)
+    return StreamState::kForeign;
   if (now_monotonic_ns - status.last_delivery_ns > kSilence_ns) return StreamState::kSilent;
   if (status.is_refused) return StreamState::kOtherSensor;
   // Until the first packets have told how the head turns it is not known to stand.
@@ -45,8 +52,9 @@ std::string explain(StreamState state, const IngestStatus& status, const std::st
       return format("%llu datagrams on ", number(status.source.received)) + source +
              format(
                  ", none of the sensor: %llu from another sender or port (packets.source_address, "
-                 "packets.port), %llu too long",
-                 number(status.source.filtered), number(status.source.truncated));
+                 "packets.port), %llu too long, %llu of other sizes than an HDL-64E's 1,206 bytes",
+                 number(status.source.filtered), number(status.source.truncated),
+                 number(of_other_sizes(status)));
     case StreamState::kOtherSensor: {
       const std::string what = hdl64::refusal(status.sensor);
       return "on " + source + ": " +
@@ -59,7 +67,11 @@ std::string explain(StreamState state, const IngestStatus& status, const std::st
              "voltage?";
     case StreamState::kRunning:
       return source + ": " + std::string(hdl64::name(status.sensor)) +
-             format(", %.2f revolutions per second", status.rotation_hz);
+             format(", %.2f revolutions per second", status.rotation_hz) +
+             (status.is_view_limited ? ", field of view limited" : "") +
+             (status.other_sender == 0 ? ""
+                                       : "; packets of another sender, " + ipv4_text(status.other_sender) +
+                                             ", are left out (packets.source_address)");
     case StreamState::kCount:
       break;
   }

@@ -237,8 +237,9 @@ TEST_CASE("the power level takes effect where it is first said", "[assembly][cha
   CHECK(rig.collector.sweeps.size() > 15);
   CHECK(power_level_of(rig.ingest.status().status()) == hdl64::PowerLevel::kRaw);
 
-  Rig foretold;
-  foretold.ingest.assume(options.says);
+  hdl64::Calibration foretelling = unit;
+  foretelling.power_level = hdl64::PowerLevel::kRaw;
+  Rig foretold({}, 3, foretelling);
   foretold.collector.on_part = [&](const SweepPart& part) {
     CHECK(std::hypot(part.sweep->x_m[0], part.sweep->y_m[0]) == Approx(8.0));
   };

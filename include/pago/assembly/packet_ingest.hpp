@@ -60,9 +60,6 @@ class PacketIngest {
                SweepExchange& exchange,
                const SelfFilter& self = {});
 
-  /// What is known of the sensor beforehand: its power level counts from the first packet on then.
-  void assume(const hdl64::SensorStatus& status) noexcept { set_power_level(power_level_of(status)); }
-
   /// Takes the next datagram in order of arrival. May acquire a sweep and hand parts on.
   void push(const Datagram& datagram) noexcept;
 
@@ -171,7 +168,7 @@ class PacketIngest {
 
   std::array<hdl64::LaserCalibration, hdl64::kLasers> lasers_;  // as the calibration in use has them
   std::optional<hdl64::CalibrationDifference> calibration_difference_;
-  hdl64::PowerLevel power_level_ = hdl64::PowerLevel::kPlain;
+  hdl64::PowerLevel power_level_;
   bool had_gps_ = false;  // since the sensor's clock began
 
   /// What is held back until it is known how the head turns.

@@ -23,6 +23,18 @@ void describe(Visitor& v, PacketFilterConfig& c) {
     "IPv4 address of the sensor, to tell several apart; empty takes every sender");
 }
 
+/// [capture] Which part of a capture is used.
+struct CaptureConfig {
+  double start_s = 0.0;
+  double duration_s = 0.0;
+};
+
+template <typename Visitor>
+void describe(Visitor& v, CaptureConfig& c) {
+  v("start_s", c.start_s, within(0.0, 1e9), "skipped at the beginning, by the capture's own stamps");
+  v("duration_s", c.duration_s, within(0.0, 1e9), "used after that; 0: to the end");
+}
+
 /// [udp] How a live sensor's socket is read.
 struct UdpConfig {
   int receive_buffer_bytes = 4 << 20;

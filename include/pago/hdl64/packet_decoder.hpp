@@ -34,13 +34,6 @@ struct Rotation {
   double rate_rad_s = 0.0;
 };
 
-/// What the sensor does to its distances and intensities (status byte F8 of the S3; hdl64 notes, section 5).
-enum class PowerLevel : std::uint8_t {
-  kPlain,     ///< a set laser power, or not known
-  kRaw,       ///< A0: the three least bits of a distance are the laser's power, not distance
-  kCorrected  ///< A8: intensities are corrected for range by the sensor itself
-};
-
 struct PacketLanes;  // a firing between the steps of decoding
 
 /// Turns raw distances into points with the two-point calibration (S3 manual p. 10): each laser at its own

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "pago/hdl64/packet_decoder.hpp"
+#include "pago/hdl64/calibration.hpp"
 
 namespace pago::hdl64 {
 
