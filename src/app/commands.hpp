@@ -22,5 +22,7 @@ void add_config_command(CLI::App& program, Action& action);
 void add_play_command(CLI::App& program, Action& action);
 void add_ctl_command(CLI::App& program, Action& action);
 void add_doctor_command(CLI::App& program, Action& action);
+void add_demo_command(CLI::App& program, Action& action);      // where the simulator is built in
+void add_simulate_command(CLI::App& program, Action& action);  // where the simulator is built in
 
 }  // namespace pago::app

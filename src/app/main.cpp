@@ -22,6 +22,10 @@ int parse_and_act(int argc, char** argv) {
   pago::app::add_ctl_command(program, action);
   pago::app::add_doctor_command(program, action);
   pago::app::add_config_command(program, action);
+#ifdef PAGO_HAS_SIMULATOR
+  pago::app::add_demo_command(program, action);
+  pago::app::add_simulate_command(program, action);
+#endif
   try {
     program.parse(argc, argv);
   } catch (const CLI::Success& wanted) {  // --help, --version

@@ -36,6 +36,7 @@ output::RunReport report_of(const RunSummary& summary,
   }
   for (const std::string& thread : summary.threads) report.facts.emplace_back("thread", thread);
   report.sweeps = summary.sweeps;
+  report.requests = summary.requests;
   report.self_hits = summary.self_hits;
   report.complaint = summary.failure.empty() ? summary.complaint : summary.failure;
   if (report.complaint.empty() && summary.interrupted) report.complaint = "stopped by a signal";

@@ -26,7 +26,7 @@ namespace pago::app {
 namespace {
 
 struct RunOptions {
-  std::string source, output, calibration, ground;
+  std::string source, output, calibration, ground, as_recorded;
   PartOptions part;
   bool is_realtime = false;
   SettingsOptions settings;
@@ -77,6 +77,8 @@ Prepared prepare(const RunOptions& options, Config& config) {
   Prepared run{
       .source = open_source(options.source, config), .is_live = false, .pipeline = {}, .outlets = {}};
   const OpenPackets* const packets = run.packets();
+  if (!options.as_recorded.empty() && (packets == nullptr || packets->is_live || options.is_realtime))
+    throw Error(options.as_recorded, "goes with a capture of the live run's packets, replayed");
   if (packets == nullptr && options.is_realtime)
     throw Error(options.source, "holds scans, which cannot be replayed in real time",
                 "--realtime is for captures of packets");
@@ -85,7 +87,9 @@ Prepared prepare(const RunOptions& options, Config& config) {
     platform::keep_heap(kHeapReserve_bytes);
     platform::make_timers_exact();
   }
-  run.pipeline = std::make_unique<Pipeline>(config, run.is_live ? Pace::kLive : Pace::kReplay);
+  const output::Decisions decisions =
+      options.as_recorded.empty() ? output::Decisions{} : output::read_decisions(options.as_recorded);
+  run.pipeline = std::make_unique<Pipeline>(config, run.is_live ? Pace::kLive : Pace::kReplay, decisions);
   if (run.is_live) {
     run.outlets = open_outlets(config);
     if (const std::string refusal = platform::lock_memory(); !refusal.empty())
@@ -164,7 +168,9 @@ void add_run_command(CLI::App& program, Action& action) {
   const auto options = std::make_shared<RunOptions>();
   command
       .add_option("source", options->source,
-                  "udp://:2368 (a live sensor), drive.pcap, or a folder of KITTI scans (kitti:sequences/00)")
+                  "udp://:2368 (a live sensor), drive.pcap, a folder of KITTI scans (kitti:sequences/00), or "
+                  "sim:urban "
+                  "(a made-up drive; sim:urban,seed=3,seconds=60)")
       ->type_name("SOURCE")
       ->required();
   command
@@ -178,6 +184,12 @@ void add_run_command(CLI::App& program, Action& action) {
   command.add_flag("--realtime", options->is_realtime,
                    "replay a capture at the pace of its recording, as if the sensor were live: poses are "
                    "published, and what comes too fast is dropped and counted");
+  command
+      .add_option(
+          "--as-recorded", options->as_recorded,
+          "repeat what a live run dropped because of the clock: its run.json, with its recorded packets "
+          "as source; the poses are then the same to the last bit")
+      ->type_name("RUN.JSON");
   command
       .add_option("--output", options->output, "folder that gets a new folder for each run; default: results")
       ->type_name("DIR");

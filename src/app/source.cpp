@@ -14,6 +14,12 @@
 #include "pago/udp/udp_source.hpp"
 #include "signals.hpp"
 
+#ifdef PAGO_HAS_SIMULATOR
+#include "pago/config/load.hpp"
+#include "pago/simulator/drive_name.hpp"
+#include "pago/simulator/simulator_source.hpp"
+#endif
+
 namespace pago::app {
 
 namespace fs = std::filesystem;
@@ -126,6 +132,22 @@ OpenPackets open_live(const std::string& name, Config& config) {
   return open;
 }
 
+#ifdef PAGO_HAS_SIMULATOR
+OpenPackets open_simulated(const std::string& drive, Config& config) {
+  simulator::apply_drive_name(config, drive);
+  validate(config);
+  auto source = std::make_unique<SimulatorSource>(config.simulator, config.hdl64, config.mount);
+  OpenPackets open;
+  open.calibration = source->calibration();
+  open.packets = std::move(source);
+  return open;
+}
+#else
+OpenPackets open_simulated(const std::string& drive, Config&) {
+  throw Error("sim:" + drive, "this pago was built without the simulator");
+}
+#endif
+
 }  // namespace
 
 std::optional<hdl64::Calibration> calibration_for(const fs::path& capture,
@@ -151,6 +173,7 @@ std::optional<hdl64::Calibration> calibration_for(const fs::path& capture,
 }
 
 OpenSource open_source(const std::string& name, Config& config) {
+  if (const auto drive = after(name, "sim")) return open_simulated(*drive, config);
   if (name.starts_with("udp:")) return open_live(name, config);
   if (const auto file = after(name, "pcap")) return open_capture(*file, config);
   const auto folder = after(name, "kitti");

@@ -39,9 +39,10 @@ std::optional<hdl64::Calibration> calibration_for(const std::filesystem::path& c
                                                   Config& config,
                                                   std::string& note);
 
-/// Opens what the user named: `udp://:2368`, `drive.pcap`, `kitti:sequences/00`; the prefixes pcap: and
-/// kitti: may be left out, a folder is KITTI's and a file a capture. A sensor whose own calibration is used
-/// must have sent all of it: captures are looked through, a live sensor is waited for. Throws Error.
+/// Opens what the user named: `udp://:2368`, `drive.pcap`, `kitti:sequences/00`, `sim:urban,seed=3`; the
+/// prefixes pcap: and kitti: may be left out, a folder is KITTI's and a file a capture. A sensor whose own
+/// calibration is used must have sent all of it: captures are looked through, a live sensor is waited for.
+/// Throws Error.
 OpenSource open_source(const std::string& name, Config& config);
 
 }  // namespace pago::app

@@ -226,7 +226,12 @@ void Assembler::close_at_cut(int lost_before_cut, bool is_blind) noexcept {
   counters_.is_open = 0;
   lanes_->tile.start(0);
   spare_ = open_;
+  // It is still the one that was asked for then.
+  const std::uint64_t request = spare_->header.request;
+  const StageTime asked = spare_->time_of(StageId::kIngest);
   spare_->reset();
+  spare_->header.request = request;
+  spare_->time_of(StageId::kIngest) = asked;
 }
 
 void Assembler::close_within_rotation(std::uint32_t flags) noexcept {

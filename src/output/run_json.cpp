@@ -97,6 +97,14 @@ Json facts_of(const RunReport& report) {
   return facts;
 }
 
+Json json_of(const DecisionLog& log) {
+  const Decisions& d = log.decisions();
+  return {{"complete", log.is_complete()},
+          {"superseded", d.superseded},
+          {"unmet", d.unmet},
+          {"resets", d.resets}};
+}
+
 /// null where there is nothing of the kind.
 template <typename Counters>
 Json json_of(const std::optional<Counters>& counters) {
@@ -105,7 +113,7 @@ Json json_of(const std::optional<Counters>& counters) {
 
 }  // namespace
 
-std::string run_json(const RunReport& report, const RunTotals& totals) {
+std::string run_json(const RunReport& report, const RunTotals& totals, const DecisionLog& decisions) {
   const Json json = {{"version", report.version},
                      {"source", report.source},
                      {"complaint", report.complaint},
@@ -117,6 +125,7 @@ std::string run_json(const RunReport& report, const RunTotals& totals) {
                      {"firings", json_of(report.firings)},
                      {"self_hits", report.self_hits},
                      {"datagrams", json_of(report.source_counters)},
+                     {"decisions", json_of(decisions)},
                      {"latency_ms", json_of(totals.latency)},
                      {"config", report.config_toml}};
   // Paths need not be UTF-8.

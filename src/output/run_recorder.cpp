@@ -21,6 +21,7 @@ RunRecorder::RunRecorder(const std::filesystem::path& folder,
 void RunRecorder::add(const SweepRecord& record) {
   totals_.add(record);
   trace_.add(record);
+  decisions_.add(record);
   newest_sequence_ = record.header.sequence;
   latency_.write(record);
   if (record.has_pose) {
@@ -40,7 +41,8 @@ void RunRecorder::flush() noexcept {
 void RunRecorder::finish(const RunReport& report) {
   flush();
   end_complaints_.clear();
-  write_at_end("run.json", run_json(report, totals_));
+  if (report.requests) decisions_.close(*report.requests);
+  write_at_end("run.json", run_json(report, totals_, decisions_));
   if (trace_.size() != 0) write_at_end("trace.json", trace_.json());
 }
 

@@ -21,16 +21,17 @@
 namespace pago {
 
 struct Pipeline::Parts {
-  Parts(const Config& c, Pace p)
+  Parts(const Config& c, Pace p, output::Decisions d)
       : config(c),
         pace(p),
+        decisions(std::move(d)),
         max_returns(max_returns_of(c.assembly, /*can_be_dual=*/true)),
         ring(static_cast<std::size_t>(c.assembly.ring_size), max_returns),
         segmenter(ground::make_segmenter(c.ground, c.mount, max_returns)),
         extractor(c.features, max_returns),
         odometer(c.odometry, max_returns),
         pose_maker(c.publish.child, c.mount),
-        parts(c.assembly.ring_size * c.assembly.sectors + 1, max_pending()),
+        parts(c.assembly.ring_size * c.assembly.sectors + 1, max_pending(), Recorded(decisions.superseded)),
         sweeps(c.assembly.ring_size + 1, max_pending()),
         freed(static_cast<std::uint32_t>(c.assembly.ring_size) + 1) {
     if (is_live()) board.emplace(c.publish.shared_memory);
@@ -51,9 +52,12 @@ struct Pipeline::Parts {
     PublishPose refined_pose(output::PoseKind::kRefined, pose_maker, board ? &*board : nullptr, outlet);
     Chain front(ground, features);
     Chain estimate(odometry, first_pose, refined_pose);
-    const auto begin_anew = [this] {
+    const auto begin_anew = [this, resets = Recorded(decisions.resets)](Sweep& sweep) mutable noexcept {
       // Relaxed: a wish, which guards no data.
-      if (is_reset_requested.exchange(false, std::memory_order_relaxed)) odometer.reset();
+      const bool is_asked = is_reset_requested.exchange(false, std::memory_order_relaxed);
+      if (!is_asked && !resets.has(sweep.header.sequence)) return;
+      sweep.header.flags |= kAfterReset;
+      odometer.reset();
     };
     const auto finish = [this](Sweep* sweep) noexcept {
       if (sweep == nullptr) return outlet.send({News::Kind::kEnd, {}, {}});
@@ -85,6 +89,7 @@ struct Pipeline::Parts {
     summary.sweeps.partial = fates.partial;
     summary.sweeps.dropped[static_cast<std::size_t>(SweepDrop::kSuperseded)] = fates.dropped_total();
     summary.unrecorded = outlet.lost();
+    summary.requests = exchange.requests();
   }
 
   platform::ThreadPlan plan(const char* name, const ThreadConfig& thread) const {
@@ -131,6 +136,7 @@ struct Pipeline::Parts {
 
   Config config;
   Pace pace;
+  output::Decisions decisions;  // of the recorded run that is repeated
   std::uint32_t max_returns;
   SweepRing ring;
   std::unique_ptr<ground::Segmenter> segmenter;
@@ -145,7 +151,7 @@ struct Pipeline::Parts {
   platform::Channel<Sweep*> freed;
   platform::Channel<News> news{256};
   Seqlock<IngestStatus> status;
-  RingExchange exchange{ring, freed, parts, pace};
+  RingExchange exchange{ring, freed, parts, pace, Recorded(decisions.unmet)};
   Outlet outlet{news, /*waits=*/pace == Pace::kReplay};
   SweepCounters fates;  // of the sweeps that came through
   bool has_run = false;
@@ -153,9 +159,9 @@ struct Pipeline::Parts {
   std::atomic<bool> is_abandoned{false};
 };
 
-Pipeline::Pipeline(const Config& config, Pace pace) {
+Pipeline::Pipeline(const Config& config, Pace pace, output::Decisions as_recorded) {
   validate(config);
-  parts_ = std::make_unique<Parts>(config, pace);
+  parts_ = std::make_unique<Parts>(config, pace, std::move(as_recorded));
 }
 Pipeline::~Pipeline() = default;
 

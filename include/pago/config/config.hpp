@@ -11,6 +11,7 @@
 #include "pago/config/odometry.hpp"
 #include "pago/config/output.hpp"
 #include "pago/config/pipeline.hpp"
+#include "pago/config/simulator.hpp"
 #include "pago/config/vehicle.hpp"
 
 namespace pago {
@@ -33,6 +34,7 @@ struct Config {
   OutputConfig output;
   PublishConfig publish;
   ControlConfig control;
+  SimulatorConfig simulator;
 };
 
 template <typename Visitor>
@@ -52,6 +54,7 @@ void describe(Visitor& v, Config& c) {
   v.section("output", c.output, "what a run leaves behind");
   v.section("publish", c.publish, "poses for other processes, while a live sensor is read");
   v.section("control", c.control, "how a live run is talked to");
+  v.section("simulator", c.simulator, "made-up drives: sim:WORLD as the source");
 }
 
 }  // namespace pago

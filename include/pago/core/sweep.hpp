@@ -31,13 +31,16 @@ enum SweepFlag : std::uint32_t {
   kCompensated =
       1U << 5,            ///< returns are already in the frame of one instant (KITTI odometry): never de-skew
   kSuperseded = 1U << 6,  ///< skipped for a newer one under overload: no pose
+  kAfterReset = 1U << 8,  ///< odometry began anew ahead of it, because somebody asked
   kLabelled = 1U << 7,    ///< `label` holds the truth: simulated or hand-labelled
 };
 
 struct SweepHeader {
   std::uint64_t sequence = 0;  ///< counts rotations from 0, skipped and partial ones included
-  std::int64_t start_ns = 0;   ///< sensor time of the first firing, ns since the Unix epoch
-  std::int64_t end_ns = 0;     ///< sensor time of the end of the last firing
+  std::uint64_t request =
+      0;  ///< which of the assembler's requests for an empty sweep it was given for, from 1
+  std::int64_t start_ns = 0;  ///< sensor time of the first firing, ns since the Unix epoch
+  std::int64_t end_ns = 0;    ///< sensor time of the end of the last firing
   /// What to add to sensor time for the time of day (hdl64/clock_offset.hpp). Differences of sensor times are
   /// exact; this one follows the host's clock, and steps when that is set. 0 where GPS keeps the sensor's.
   std::int64_t clock_offset_ns = 0;

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "pago/config/output.hpp"
+#include "pago/output/decisions.hpp"
 #include "pago/output/latency.hpp"
 #include "pago/output/run_report.hpp"
 #include "pago/output/trace.hpp"
@@ -57,6 +58,7 @@ class RunRecorder {
   TrajectoryWriter first_, refined_;
   LatencyCsv latency_;
   Trace trace_;
+  DecisionLog decisions_;
   std::uint64_t newest_sequence_ = 0;
   RunTotals totals_;
   std::vector<std::string> end_complaints_;

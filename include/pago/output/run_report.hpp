@@ -11,6 +11,7 @@
 
 #include "pago/core/counters.hpp"
 #include "pago/core/sources.hpp"
+#include "pago/output/decisions.hpp"
 #include "pago/output/latency.hpp"
 #include "pago/output/trajectory_hash.hpp"
 
@@ -45,13 +46,14 @@ struct RunReport {
   std::optional<PacketCounters> packets;
   std::optional<FiringCounters> firings;
   SweepCounters sweeps;
-  std::uint64_t self_hits = 0;  ///< returns on the vehicle's own body, left out
-  double wall_s = 0.0;          ///< how long the run took
-  std::string complaint;        ///< empty, or why the run ended before its source did
+  std::optional<std::uint64_t> requests;  ///< of the assembler for an empty sweep, when the run is over
+  std::uint64_t self_hits = 0;            ///< returns on the vehicle's own body, left out
+  double wall_s = 0.0;                    ///< how long the run took
+  std::string complaint;                  ///< empty, or why the run ended before its source did
 };
 
 /// run.json: everything above as one object; durations in ms.
-std::string run_json(const RunReport& report, const RunTotals& totals);
+std::string run_json(const RunReport& report, const RunTotals& totals, const DecisionLog& decisions = {});
 
 /// A few lines for the terminal: sweeps, drops, length, latency per stage, where the files are.
 std::string run_summary(const RunReport& report,

@@ -11,6 +11,7 @@
 #include "pago/core/counters.hpp"
 #include "pago/core/sources.hpp"
 #include "pago/hdl64/calibration.hpp"
+#include "pago/output/decisions.hpp"
 #include "pago/output/pose_board.hpp"
 #include "pago/output/sweep_record.hpp"
 #include "pago/pipeline/run_status.hpp"
@@ -49,6 +50,7 @@ struct RunSummary {
   SweepCounters sweeps;
   std::uint64_t incomplete_sweeps = 0;  ///< posed, but more than 10 % of the rotation was missing
   std::uint64_t clock_restarts = 0;     ///< of the sensor's clock: power cycles, GPS found
+  std::uint64_t requests = 0;           ///< of the assembler for an empty sweep
   std::uint64_t self_hits = 0;   ///< returns that were the vehicle's own body and left out; packet runs only
   std::uint64_t unrecorded = 0;  ///< live: sweeps and poses that the observer was too slow for
   std::string sensor;            ///< what the stream came from, e.g. "HDL-64E S2/S3, single return"
@@ -67,7 +69,8 @@ struct RunSummary {
 /// Error; the threads that run() starts allocate nothing.
 class Pipeline {
  public:
-  explicit Pipeline(const Config& config, Pace pace = Pace::kReplay);
+  /// `as_recorded`: what a replay repeats of the live run whose packets it gets.
+  explicit Pipeline(const Config& config, Pace pace = Pace::kReplay, output::Decisions as_recorded = {});
   ~Pipeline();
 
   /// Works until the source is exhausted or `stop` becomes true. Whoever has packets but no source puts a
