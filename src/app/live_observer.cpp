@@ -49,6 +49,7 @@ LiveOutlets open_outlets(const Config& config) {
   if (socket != "none")
     outlets.control =
         std::make_unique<output::ControlServer>(socket.empty() ? output::default_control_path() : socket);
+  if (!config.record.file.empty()) outlets.packets = std::make_unique<PcapRecorder>(config.record);
   return outlets;
 }
 
@@ -120,7 +121,12 @@ void LiveObserver::note_sensor() {
 
 void LiveObserver::note_losses() {
   next_losses_ = Clock::now() + kBetweenLosses;
-  const std::string text = losses(told_, now_, superseded_ - told_superseded_);
+  std::string text = losses(told_, now_, superseded_ - told_superseded_);
+  const std::uint64_t unwritten = outlets_.packets ? outlets_.packets->counters().unwritten() : 0;
+  if (unwritten > told_unwritten_)
+    text += format("%s%llu datagrams to the recording (disk full or slow)", text.empty() ? "" : ", ",
+                   static_cast<unsigned long long>(unwritten - told_unwritten_));
+  told_unwritten_ = unwritten;
   told_ = now_;
   told_superseded_ = superseded_;
   if (text.empty()) return;
@@ -181,6 +187,8 @@ std::string LiveObserver::status_json() const {
 std::vector<std::string> LiveObserver::complaints() const {
   std::vector<std::string> result;
   if (outlets_.lines && !outlets_.lines->complaint().empty()) result.push_back(outlets_.lines->complaint());
+  if (outlets_.packets && !outlets_.packets->complaint().empty())
+    result.push_back(outlets_.packets->complaint());
   if (outlets_.sender && outlets_.sender->unsent() > 0)
     result.push_back(format("%llu poses could not be sent by UDP: no route?",
                             static_cast<unsigned long long>(outlets_.sender->unsent())));

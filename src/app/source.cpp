@@ -74,8 +74,9 @@ void take_over(const StreamSurvey& survey, const std::string& source, Config& co
       throw Error(source, "no calibration given, none beside it, and the sensor does not send its own",
                   kRangesAreWrong);
     open.calibration = *own;
+    // With a file, a live run learns it on its way, and a replay must do the same.
+    open.calibration.power_level = power_level_of(survey.ingest().status().status());
   }
-  open.calibration.power_level = power_level_of(survey.ingest().status().status());
   if (const std::string complaint = survey.complaint(); !complaint.empty())
     open.warnings.push_back(complaint);
   if (!survey.ingest().format().is_dual() && config.assembly.max_returns == 0)
