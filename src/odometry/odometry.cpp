@@ -2,8 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "pago/odometry/odometry.hpp"
 
+#include <array>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 #include "pago/core/se3.hpp"
 #include "pago/core/symmetric6.hpp"
@@ -18,6 +20,9 @@ constexpr double kPrior_m = 0.5, kPrior_rad = 0.05;
 /// Makes rotations comparable with translations: what a turn moves at this distance.
 constexpr double kLeverArm_m = 10.0;
 constexpr double kNominalSweep_s = 0.1;
+
+/// Of the features, enough to tell a right first motion from a wrong one.
+constexpr std::size_t kOneOf = 4;
 
 /// A motion is carried on for no longer than this: nothing says that the vehicle did not stop.
 constexpr double kLongestPrediction_s = 2.0, kLongestGap_s = 10.0;
@@ -48,6 +53,7 @@ OdometryStage::OdometryStage(const OdometryConfig& config, std::uint32_t max_ret
     : config_(config),
       registration_(config, kNumRings * 6 * 20),
       sources_(kNumRings * 6 * 20),
+      few_sources_(kNumRings * 6 * 20 / kOneOf + 1),
       raw_targets_(max_returns),
       deskewed_(max_returns),
       targets_(max_returns) {}
@@ -179,23 +185,41 @@ void OdometryStage::advance(Sweep& sweep, const Instants& instants) noexcept {
   report(sweep, instants);
 }
 
+namespace {
+
+void thin(const FeatureCloud& all, FeatureCloud& few) noexcept {
+  few.size = 0;
+  for (std::size_t i = 0; i < all.size; i += kOneOf) few.add(all.point(i), all.before_s[i], all.ring[i]);
+}
+
+}  // namespace
+
 // Nothing says how fast the vehicle moves when the sensor is switched on, and until that is known both sweeps
-// are distorted: try several speeds, de-skew both sweeps by each, and keep the best supported.
+// are distorted: try several speeds with some of the features, de-skew both sweeps by each, and go on with
+// the two that are best supported. A live run has less than 0.3 s for this before sweeps are dropped.
 RegistrationResult OdometryStage::find_first_motion(double period_s) noexcept {
-  RegistrationResult best;
   constexpr std::array<double, 7> kForward_m{0.0, 0.5, 1.0, 1.5, 2.0, 2.5, 3.0};
-  constexpr int kPasses = 3;
+  thin(sources_.edges, few_sources_.edges);
+  thin(sources_.ground, few_sources_.ground);
+  thin(sources_.walls, few_sources_.walls);
+  const auto align = [&](const FeatureSet& sources, const Eigen::Isometry3d& T_guess, double radius_m) {
+    if (period_s > 0.0) build_targets(log_se3(T_guess) / period_s);
+    return registration_.align(sources, targets_, T_guess, period_s, radius_m);
+  };
+  RegistrationResult best, second;
   for (const double forward_m : kForward_m) {
-    RegistrationResult result;
-    result.T_target_source.translation().x() = forward_m;
-    for (int pass = 0; pass < kPasses; ++pass) {
-      if (period_s > 0.0) build_targets(log_se3(result.T_target_source) / period_s);
-      const double radius_m = pass == 0 ? config_.start_match_radius_m : config_.match_radius_m;
-      result = registration_.align(sources_, targets_, result.T_target_source, period_s, radius_m);
-    }
-    if (result.score > best.score) best = result;
+    Eigen::Isometry3d T_guess = Eigen::Isometry3d::Identity();
+    T_guess.translation().x() = forward_m;
+    RegistrationResult result = align(few_sources_, T_guess, config_.start_match_radius_m);
+    if (result.score > best.score) std::swap(result, best);
+    if (result.score > second.score) second = result;
   }
-  return best;
+  for (RegistrationResult* seed : {&best, &second}) {
+    for (int pass = 0; pass < 2; ++pass) {
+      *seed = align(sources_, seed->T_target_source, config_.match_radius_m);
+    }
+  }
+  return best.score >= second.score ? best : second;
 }
 
 HealthReason OdometryStage::judge(const RegistrationResult& result,

@@ -49,7 +49,7 @@ class OdometryStage {
 
   OdometryConfig config_;
   TwoStepRegistration registration_;
-  FeatureSet sources_, raw_targets_;
+  FeatureSet sources_, few_sources_, raw_targets_;
   FeatureCloud deskewed_;
   TargetSet targets_;
 
