@@ -106,7 +106,7 @@ PcapWriter::PcapWriter(std::filesystem::path file)
   flush();
   if (complaint_.empty()) return;
   ::close(descriptor_);
-  throw Error(complaint_);
+  throw Error(file_.string(), complaint_.substr(file_.string().size() + 2), "is the disk full?");
 }
 
 PcapWriter::~PcapWriter() {

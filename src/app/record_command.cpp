@@ -5,12 +5,15 @@
 #include <filesystem>
 #include <iostream>
 #include <memory>
+#include <string>
+#include <vector>
 
 #include "commands.hpp"
 #include "pago/config/load.hpp"
 #include "pago/core/error.hpp"
 #include "pago/core/text.hpp"
 #include "pago/pcap/recording_source.hpp"
+#include "pago/pipeline/run_status.hpp"
 #include "pago/platform/clock.hpp"
 #include "pago/udp/udp_source.hpp"
 #include "settings.hpp"
@@ -75,10 +78,13 @@ int record_command(const RecordOptions& options) {
   record(source, options.duration_s);
   recorder.finish();
   std::cout << summary(recorder, source.counters());
-  const std::string complaints[] = {recorder.complaint(), source.complaint()};
-  for (const std::string& complaint : complaints)
-    if (!complaint.empty()) std::cerr << "pago: " << complaint << '\n';
-  return complaints[0].empty() && complaints[1].empty() ? 0 : 1;
+  std::vector<std::string> complaints{recorder.complaint(), source.complaint()};
+  IngestStatus now;
+  now.source = source.counters();
+  if (now.source.delivered == 0) complaints.push_back(explain(stream_state(now, 0), now, options.source));
+  std::erase(complaints, "");
+  for (const std::string& complaint : complaints) std::cerr << "pago: " << complaint << '\n';
+  return complaints.empty() ? 0 : 1;
 }
 
 }  // namespace
