@@ -179,7 +179,7 @@ void OdometryStage::advance(Sweep& sweep, const Instants& instants) noexcept {
     twist_ = log_se3(T_last_this) / period_s;
     has_motion_ = true;
   }
-  if (is_time_lost) reason = HealthReason::kTimeGap;
+  if (is_time_lost || period_s > kLongestPrediction_s) reason = HealthReason::kTimeGap;
   if (reason == HealthReason::kNone && sweep.header.has(kIncomplete)) reason = HealthReason::kIncompleteSweep;
   adopt(sweep.estimate, result, reason, period_s);
   report(sweep, instants);
