@@ -73,7 +73,7 @@ TEST_CASE("a survey finds the sensor's own calibration", "[assembly][survey]") {
   StreamSurvey longer;
   survey_stream(longer, some_unit(1.2), kRound + 100);
   REQUIRE(longer.calibration().has_value());
-  CHECK(longer.calibration()->lasers[7].distance_m == Catch::Approx(1.2));
+  CHECK(longer.calibration()->lasers[7].distance_m == Approx(1.2));
   CHECK(longer.complaint().empty());
 }
 
