@@ -18,6 +18,7 @@ using Action = std::function<int()>;
 void add_run_command(CLI::App& program, Action& action);
 void add_inspect_command(CLI::App& program, Action& action);
 void add_record_command(CLI::App& program, Action& action);
+void add_segment_command(CLI::App& program, Action& action);
 void add_evaluate_command(CLI::App& program, Action& action);
 void add_config_command(CLI::App& program, Action& action);
 void add_play_command(CLI::App& program, Action& action);

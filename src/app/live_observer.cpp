@@ -14,6 +14,11 @@ namespace {
 
 constexpr std::chrono::seconds kBetweenLosses{1};
 
+/// One line; paths in it need not be UTF-8.
+std::string line_of(const nlohmann::ordered_json& json) {
+  return json.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
+}
+
 std::uint64_t no_free_sweep(const IngestStatus& status) {
   return status.sweeps.no_free_sweep;
 }
@@ -55,11 +60,13 @@ LiveOutlets open_outlets(const Config& config) {
 
 LiveObserver::LiveObserver(LiveOutlets& outlets,
                            std::string source,
+                           const Mount& mount,
                            output::RunRecorder& recorder,
                            std::function<output::RunReport(const IngestStatus&)> report_so_far,
                            std::function<void()> reset)
     : outlets_(outlets),
       source_(std::move(source)),
+      mount_(mount),
       recorder_(recorder),
       report_so_far_(std::move(report_so_far)),
       reset_(std::move(reset)),
@@ -82,6 +89,12 @@ void LiveObserver::on_pose(const output::PoseV1& pose) {
   if (pose.kind != PAGO_POSE_REFINED) return;
   newest_ = pose;
   if (outlets_.lines) outlets_.lines->write(pose);
+}
+
+void LiveObserver::on_mount(const ground::MountReport& report) {
+  if (!report.is_warning()) return;
+  line_.clear();
+  log_.warn(to_text(report, mount_));
 }
 
 void LiveObserver::on_status(const IngestStatus& status) {
@@ -148,12 +161,12 @@ std::string LiveObserver::handle(output::Request request) {
     case output::Request::kTrace: {
       const std::string file = recorder_.save_trace();
       if (file.empty()) return R"({"error": "no trace: output.trace_sweeps is 0, or no sweep has come yet"})";
-      return nlohmann::json{{"trace", file}}.dump();
+      return line_of({{"trace", file}});
     }
   }
   const std::vector<std::string> complaints = recorder_.complaints();
-  if (!complaints.empty()) return nlohmann::json{{"error", complaints.front()}}.dump();
-  return nlohmann::json{{"folder", recorder_.folder().string()}}.dump();
+  if (!complaints.empty()) return line_of({{"error", complaints.front()}});
+  return line_of({{"folder", recorder_.folder().string()}});
 }
 
 std::string LiveObserver::status_json() const {
@@ -163,9 +176,10 @@ std::string LiveObserver::status_json() const {
   const nlohmann::ordered_json json = {
       {"state", to_string(state)},
       {"explanation", explain(state, now_, source_)},
-      {"health", to_string(health_)},
+      {"health", to_string(static_cast<Health>(newest_.health))},
+      {"reason", to_string(static_cast<HealthReason>(newest_.reason))},
       {"uptime_s", std::chrono::duration<double>(Clock::now() - start_).count()},
-      {"rotation_hz", now_.rotation_hz},
+      {"rotation_hz", state == StreamState::kRunning ? now_.rotation_hz : 0.0},
       {"sensor",
        {{"temperature_c", now_.said.temperature_c},
         {"warnings", hdl64::warnings_of(now_.said)},
@@ -181,7 +195,7 @@ std::string LiveObserver::status_json() const {
       {"packets", {{"received", now_.packets.received}, {"decoded", now_.packets.decoded}}},
       {"lost", losses({}, now_, superseded_)},
       {"folder", recorder_.folder().string()}};
-  return json.dump();
+  return line_of(json);
 }
 
 std::vector<std::string> LiveObserver::complaints() const {

@@ -35,12 +35,14 @@ class LiveObserver final : public Observer {
   /// [set-up] Throws Error if there can be no log file in the recorder's folder.
   LiveObserver(LiveOutlets& outlets,
                std::string source,
+               const Mount& mount,
                output::RunRecorder& recorder,
                std::function<output::RunReport(const IngestStatus&)> report_so_far,
                std::function<void()> reset);
 
   void on_sweep(const output::SweepRecord& record) override;
   void on_pose(const output::PoseV1& pose) override;
+  void on_mount(const ground::MountReport& report) override;
   void on_status(const IngestStatus& status) override;
 
   Log& log() noexcept { return log_; }
@@ -58,6 +60,7 @@ class LiveObserver final : public Observer {
 
   LiveOutlets& outlets_;
   std::string source_;
+  Mount mount_;
   output::RunRecorder& recorder_;
   std::function<output::RunReport(const IngestStatus&)> report_so_far_;
   std::function<void()> reset_;

@@ -21,6 +21,7 @@ output::RunReport report_of(const RunSummary& summary,
 
 /// The same of one that goes on: what is known by now.
 output::RunReport report_so_far(const IngestStatus& status,
+                                const output::RunTotals& totals,
                                 const std::string& source,
                                 const Config& config,
                                 double wall_s);
@@ -28,7 +29,8 @@ output::RunReport report_so_far(const IngestStatus& status,
 /// What a user should know about a run that went through.
 std::vector<std::string> doubts(const RunSummary& summary,
                                 const output::RunTotals& totals,
-                                const OpenSource& source);
+                                const OpenSource& source,
+                                const Mount& mount);
 
 /// A stream that gave nothing is bad input; a run that broke off half-way, or lost count, has failed.
 int exit_code(const RunSummary& summary, const output::RunTotals& totals, bool is_recorded, bool is_live);

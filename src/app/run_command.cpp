@@ -72,13 +72,17 @@ struct Prepared {
   bool is_live;
   std::unique_ptr<Pipeline> pipeline;
   LiveOutlets outlets;
+  std::string recorded_hash;  // of the live run's poses, if it is repeated
 
   OpenPackets* packets() { return std::get_if<OpenPackets>(&source); }
 };
 
 Prepared prepare(const RunOptions& options, Config& config) {
-  Prepared run{
-      .source = open_source(options.source, config), .is_live = false, .pipeline = {}, .outlets = {}};
+  Prepared run{.source = open_source(options.source, config),
+               .is_live = false,
+               .pipeline = {},
+               .outlets = {},
+               .recorded_hash = {}};
   const OpenPackets* const packets = run.packets();
   if (!options.as_recorded.empty() && (packets == nullptr || packets->is_live || options.is_realtime))
     throw Error(options.as_recorded, "goes with a capture of the live run's packets, replayed");
@@ -98,6 +102,7 @@ Prepared prepare(const RunOptions& options, Config& config) {
   }
   const output::Decisions decisions =
       options.as_recorded.empty() ? output::Decisions{} : output::read_decisions(options.as_recorded);
+  run.recorded_hash = decisions.hash;
   run.pipeline = std::make_unique<Pipeline>(config, run.is_live ? Pace::kLive : Pace::kReplay, decisions);
   if (run.is_live) {
     run.outlets = open_outlets(config);
@@ -121,9 +126,9 @@ RunSummary go_live(Prepared& run,
                    std::vector<std::string>& complaints) {
   const auto start = std::chrono::steady_clock::now();
   LiveObserver observer(
-      run.outlets, options.source, recorder,
+      run.outlets, options.source, config.mount, recorder,
       [&](const IngestStatus& now) {
-        return report_so_far(now, options.source, config, seconds_since(start));
+        return report_so_far(now, recorder.totals(), options.source, config, seconds_since(start));
       },
       [&] { run.pipeline->request_reset(); });
   OpenPackets& open = *run.packets();
@@ -134,9 +139,10 @@ RunSummary go_live(Prepared& run,
   std::optional<RecordingSource> recording;
   if (run.outlets.packets) recording.emplace(source, *run.outlets.packets);
   PacketSource& used = recording ? *recording : source;
-  const RunSummary summary = run.pipeline->run(used, open.calibration, observer, stop_flag());
+  RunSummary summary = run.pipeline->run(used, open.calibration, observer, stop_flag());
   if (run.outlets.packets) run.outlets.packets->finish();
   for (const std::string& complaint : observer.complaints()) complaints.push_back(complaint);
+  if (open.is_live && !summary.interrupted && summary.failure.empty()) summary.failure = summary.complaint;
   return summary;
 }
 
@@ -175,13 +181,18 @@ int run_command(const RunOptions& options) {
     complaints.insert(complaints.end(), more.begin(), more.end());
   };
   add({summary.complaint, summary.failure});
-  add(doubts(summary, recorder->totals(), run.source));
+  add(doubts(summary, recorder->totals(), run.source, config.mount));
+  const bool is_repeated = run.recorded_hash.empty() || run.recorded_hash == recorder->totals().hash.hex();
+  if (!is_repeated)
+    add({"the poses are not those of " + options.as_recorded +
+         ": its settings or calibration were others, or these are not the packets that it received"});
   add(recorder->complaints());
   if (!summary.balanced()) add({"the counters do not add up, see run.json"});
   for (const std::string& complaint : complaints)
     if (!complaint.empty()) std::cerr << "pago: " << complaint << '\n';
-  const bool is_kept = recorder->complaints().empty() && (!recorded || recorded->complaint().empty());
-  return exit_code(summary, recorder->totals(), is_kept, run.is_live);
+  const bool is_recorded = recorder->complaints().empty() && summary.unrecorded == 0 && is_repeated &&
+                           (recorded == nullptr || recorded->complaint().empty());
+  return exit_code(summary, recorder->totals(), is_recorded, run.is_live);
 }
 
 }  // namespace
@@ -202,7 +213,9 @@ void add_run_command(CLI::App& program, Action& action) {
           "the unit's db.xml or ROS yaml, or `sensor`: the one that it sends itself (S2.1, S3); default: "
           "calibration.xml, .yaml or db.xml beside the capture, else the sensor's")
       ->type_name("FILE");
-  command.add_option("--ground", options->ground, "ground segmentation: patchwork (default) or lego")
+  command
+      .add_option("--ground", options->ground,
+                  "ground segmentation: patchwork (default), patchworkpp, lego, ...; pago config lists them")
       ->type_name("NAME");
   command.add_flag("--realtime", options->is_realtime,
                    "replay a capture at the pace of its recording, as if the sensor were live: poses are "

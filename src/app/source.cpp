@@ -10,6 +10,7 @@
 #include "pago/assembly/stream_survey.hpp"
 #include "pago/core/error.hpp"
 #include "pago/core/text.hpp"
+#include "pago/ground/segmenter.hpp"
 #include "pago/pcap/pcap_source.hpp"
 #include "pago/udp/udp_source.hpp"
 #include "signals.hpp"
@@ -17,6 +18,7 @@
 #ifdef PAGO_HAS_SIMULATOR
 #include "pago/config/load.hpp"
 #include "pago/simulator/drive_name.hpp"
+#include "pago/simulator/labelled_capture.hpp"
 #include "pago/simulator/simulator_source.hpp"
 #endif
 
@@ -83,12 +85,26 @@ void take_over(const StreamSurvey& survey, const std::string& source, Config& co
     config.assembly.max_returns = static_cast<int>(max_returns_of(config.assembly, /*can_be_dual=*/false));
 }
 
+/// A simulated drive's labels lie beside its packets: packets.labels, packets.pcap.
+std::unique_ptr<PacketSource> replay(const fs::path& file,
+                                     const Config& config,
+                                     const hdl64::Calibration& calibration) {
+#ifdef PAGO_HAS_SIMULATOR
+  const fs::path labels = fs::path(file).replace_extension(".labels");
+  std::error_code unknown;
+  if (fs::exists(labels, unknown))
+    return std::make_unique<LabelledCapture>(file, config.packets, config.capture, labels, calibration);
+#else
+  (void)calibration;
+#endif
+  return std::make_unique<PcapSource>(file, config.packets, config.capture);
+}
+
 OpenPackets open_capture(const fs::path& file, Config& config) {
   std::error_code unknown;
   if (fs::is_fifo(file, unknown))
     throw Error(file.string(), "is a pipe", "captures are read twice: give a file");
   OpenPackets open;
-  open.packets = std::make_unique<PcapSource>(file, config.packets, config.capture);
   const std::optional<hdl64::Calibration> given = calibration_for(file, config, open.calibration_note);
   if (given) open.calibration = *given;
 
@@ -99,6 +115,7 @@ OpenPackets open_capture(const fs::path& file, Config& config) {
   if (look.all_done()) survey.finish();
   check_sensor(file, config.packets, survey, look.counters());
   take_over(survey, file.string(), config, open);
+  open.packets = replay(file, config, open.calibration);
   return open;
 }
 
@@ -149,6 +166,19 @@ OpenPackets open_simulated(const std::string& drive, Config&) {
 }
 #endif
 
+OpenSource open(const std::string& name, Config& config) {
+  if (const auto drive = after(name, "sim")) return open_simulated(*drive, config);
+  if (name.starts_with("udp:")) return open_live(name, config);
+  if (const auto file = after(name, "pcap")) return open_capture(*file, config);
+  const auto folder = after(name, "kitti");
+  std::error_code unknown;
+  if (folder || fs::is_directory(name, unknown)) {
+    return OpenFolder{std::make_unique<KittiSource>(folder.value_or(name), config.kitti,
+                                                    SelfFilter(config.vehicle, config.mount))};
+  }
+  return open_capture(name, config);
+}
+
 }  // namespace
 
 std::optional<hdl64::Calibration> calibration_for(const fs::path& capture,
@@ -173,17 +203,23 @@ std::optional<hdl64::Calibration> calibration_for(const fs::path& capture,
   return hdl64::load_calibration(file, config.hdl64.vertical_offset);
 }
 
-OpenSource open_source(const std::string& name, Config& config) {
-  if (const auto drive = after(name, "sim")) return open_simulated(*drive, config);
-  if (name.starts_with("udp:")) return open_live(name, config);
-  if (const auto file = after(name, "pcap")) return open_capture(*file, config);
-  const auto folder = after(name, "kitti");
-  std::error_code unknown;
-  if (folder || fs::is_directory(name, unknown)) {
-    return OpenFolder{std::make_unique<KittiSource>(folder.value_or(name), config.kitti,
-                                                    SelfFilter(config.vehicle, config.mount))};
+void require_labels(const OpenSource& source, const std::string& name, const std::string& method) {
+  if (!ground::find_method(method).traits.needs_labels) return;
+  std::string unlabelled;
+  if (const auto* folder = std::get_if<OpenFolder>(&source)) {
+    unlabelled = folder->sweeps->first_without_labels();
+  } else if (!std::get<OpenPackets>(source).packets->has_labels()) {
+    unlabelled = name;
   }
-  return open_capture(name, config);
+  if (!unlabelled.empty())
+    throw Error(unlabelled, "has no labels, which ground method '" + method + "' needs",
+                "choose another method, scans with SemanticKITTI's labels, or a simulated drive");
+}
+
+OpenSource open_source(const std::string& name, Config& config) {
+  OpenSource source = open(name, config);
+  require_labels(source, name, config.ground.method);
+  return source;
 }
 
 }  // namespace pago::app

@@ -42,7 +42,10 @@ std::optional<hdl64::Calibration> calibration_for(const std::filesystem::path& c
 /// Opens what the user named: `udp://:2368`, `drive.pcap`, `kitti:sequences/00`, `sim:urban,seed=3`; the
 /// prefixes pcap: and kitti: may be left out, a folder is KITTI's and a file a capture. A sensor whose own
 /// calibration is used must have sent all of it: captures are looked through, a live sensor is waited for.
-/// Throws Error.
+/// Throws Error; also if the ground method of the configuration needs labels and the source has none.
 OpenSource open_source(const std::string& name, Config& config);
+
+/// Throws Error if this ground method needs labels and a sweep of the source will have none.
+void require_labels(const OpenSource& source, const std::string& name, const std::string& method);
 
 }  // namespace pago::app

@@ -97,9 +97,10 @@ Json facts_of(const RunReport& report) {
   return facts;
 }
 
-Json json_of(const DecisionLog& log) {
+/// Complete once the run is over and nothing of it was missed.
+Json json_of(const DecisionLog& log, const RunReport& report) {
   const Decisions& d = log.decisions();
-  return {{"complete", log.is_complete()},
+  return {{"complete", log.is_complete() && report.requests && report.unrecorded == 0},
           {"superseded", d.superseded},
           {"unmet", d.unmet},
           {"resets", d.resets}};
@@ -124,8 +125,9 @@ std::string run_json(const RunReport& report, const RunTotals& totals, const Dec
                      {"packets", json_of(report.packets)},
                      {"firings", json_of(report.firings)},
                      {"self_hits", report.self_hits},
+                     {"unrecorded", report.unrecorded},
                      {"datagrams", json_of(report.source_counters)},
-                     {"decisions", json_of(decisions)},
+                     {"decisions", json_of(decisions, report)},
                      {"latency_ms", json_of(totals.latency)},
                      {"config", report.config_toml}};
   // Paths need not be UTF-8.

@@ -7,8 +7,9 @@
 
 #include "pago/assembly/scan_organizer.hpp"
 #include "pago/config/load.hpp"
+#include "pago/core/error.hpp"
 #include "pago/features/features.hpp"
-#include "pago/ground/segmenter.hpp"
+#include "pago/ground/ground_stage.hpp"
 #include "pago/odometry/odometry.hpp"
 
 namespace pago {
@@ -67,12 +68,12 @@ struct Odometry::Parts {
   Parts(const Config& c, std::uint32_t max_returns)
       : sweep(max_returns),
         organizer(max_returns, SelfFilter(c.vehicle, c.mount)),
-        segmenter(ground::make_segmenter(c.ground, c.mount, max_returns)),
+        segmenter(c.ground, c.mount, max_returns),
         extractor(c.features, max_returns),
         odometer(c.odometry, max_returns) {}
 
   void run_stages() noexcept {
-    Chain stages(*segmenter, extractor, odometer);
+    Chain stages(segmenter, extractor, odometer);
     stages.begin(sweep);
     stages.accept({&sweep, sweep.size, sweep.header.num_columns, true});
     stages.finish(sweep);
@@ -80,7 +81,7 @@ struct Odometry::Parts {
 
   Sweep sweep;
   ScanOrganizer organizer;
-  std::unique_ptr<ground::Segmenter> segmenter;
+  ground::GroundStage segmenter;
   features::FeaturesStage extractor;
   odometry::OdometryStage odometer;
 
@@ -90,6 +91,9 @@ struct Odometry::Parts {
 
 Odometry::Odometry(const Config& config) {
   validate(config);
+  if (ground::find_method(config.ground.method).traits.needs_labels)
+    throw Error("ground.method", "'" + config.ground.method + "' needs labels, and scans have none",
+                "choose another method");
   parts_ = std::make_unique<Parts>(config, max_returns_of(config.assembly, /*can_be_dual=*/false));
 }
 Odometry::~Odometry() = default;
@@ -120,6 +124,9 @@ Estimate Odometry::process(const Scan& scan) noexcept {
 
 std::span<const std::uint8_t> Odometry::ground() const noexcept {
   return parts_->sweep.ground.first(parts_->sweep.size);
+}
+const ground::MountReport& Odometry::mount_report() const noexcept {
+  return parts_->segmenter.mount_report();
 }
 std::string_view Odometry::refusal() const noexcept {
   return parts_->refusal;

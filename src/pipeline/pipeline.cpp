@@ -12,7 +12,7 @@
 #include "pago/core/error.hpp"
 #include "pago/core/seqlock.hpp"
 #include "pago/features/features.hpp"
-#include "pago/ground/segmenter.hpp"
+#include "pago/ground/ground_stage.hpp"
 #include "pago/odometry/odometry.hpp"
 #include "pago/pipeline/timed.hpp"
 #include "pago/platform/thread.hpp"
@@ -27,7 +27,7 @@ struct Pipeline::Parts {
         decisions(std::move(d)),
         max_returns(max_returns_of(c.assembly, /*can_be_dual=*/true)),
         ring(static_cast<std::size_t>(c.assembly.ring_size), max_returns),
-        segmenter(ground::make_segmenter(c.ground, c.mount, max_returns)),
+        segmenter(c.ground, c.mount, max_returns),
         extractor(c.features, max_returns),
         odometer(c.odometry, max_returns),
         pose_maker(c.publish.child, c.mount),
@@ -45,12 +45,13 @@ struct Pipeline::Parts {
   //              └──────────────────── freed sweeps <════════════════════┘
   template <typename Ingest>
   void flow(Ingest ingest, Observer& observer, RunSummary& summary) {
-    Timed ground(StageId::kGround, *segmenter);
+    Timed ground(StageId::kGround, segmenter);
     Timed features(StageId::kFeatures, extractor);
     Timed odometry(StageId::kOdometry, odometer);
     PublishPose first_pose(output::PoseKind::kFirst, pose_maker, board ? &*board : nullptr, outlet);
     PublishPose refined_pose(output::PoseKind::kRefined, pose_maker, board ? &*board : nullptr, outlet);
-    Chain front(ground, features);
+    PublishMount mount_verdict(segmenter, verdict);
+    Chain front(ground, features, mount_verdict);
     Chain estimate(odometry, first_pose, refined_pose);
     const auto begin_anew = [this, resets = Recorded(decisions.resets)](Sweep& sweep) mutable noexcept {
       // Relaxed: a wish, which guards no data.
@@ -85,6 +86,7 @@ struct Pipeline::Parts {
       summary.threads.push_back(platform::describe(thread->plan(), thread->grant()));
     }
     publish(observer);
+    summary.mount = segmenter.mount_report();
     summary.sweeps.posed = fates.posed;
     summary.sweeps.partial = fates.partial;
     summary.sweeps.dropped[static_cast<std::size_t>(SweepDrop::kSuperseded)] = fates.dropped_total();
@@ -113,6 +115,7 @@ struct Pipeline::Parts {
   void publish(Observer& observer) {
     std::exception_ptr thrown;
     News item;
+    ground::MountReport mount;
     while (true) {
       const bool has_news = news.pop_wait(item, kTick_ns);
       if (has_news && item.kind == News::Kind::kEnd) break;
@@ -120,6 +123,8 @@ struct Pipeline::Parts {
       try {
         if (has_news && item.kind == News::Kind::kPose) observer.on_pose(item.pose);
         if (has_news && item.kind == News::Kind::kSweep) observer.on_sweep(item.record);
+        if (mount.finding == ground::MountFinding::kPending && verdict.try_load(mount))
+          observer.on_mount(mount);
         if (IngestStatus now; status.try_load(now)) observer.on_status(now);
       } catch (...) {
         thrown = std::current_exception();
@@ -139,7 +144,7 @@ struct Pipeline::Parts {
   output::Decisions decisions;  // of the recorded run that is repeated
   std::uint32_t max_returns;
   SweepRing ring;
-  std::unique_ptr<ground::Segmenter> segmenter;
+  ground::GroundStage segmenter;
   features::FeaturesStage extractor;
   odometry::OdometryStage odometer;
   output::PoseMaker pose_maker;
@@ -151,6 +156,7 @@ struct Pipeline::Parts {
   platform::Channel<Sweep*> freed;
   platform::Channel<News> news{256};
   Seqlock<IngestStatus> status;
+  Seqlock<ground::MountReport> verdict;
   RingExchange exchange{ring, freed, parts, pace, Recorded(decisions.unmet)};
   Outlet outlet{news, /*waits=*/pace == Pace::kReplay};
   SweepCounters fates;  // of the sweeps that came through
@@ -214,6 +220,7 @@ RunSummary Pipeline::run(PacketSource& source,
   Parts& p = *parts_;
   PacketIngest ingest(p.config.assembly, p.config.hdl64, calibration, p.exchange,
                       SelfFilter(p.config.vehicle, p.config.mount));
+  p.exchange.label_by(source);
   LiveWatch watch;
   RunSummary summary;
   p.flow(

@@ -17,10 +17,6 @@ unsigned long long number(std::uint64_t n) {
   return n;
 }
 
-std::uint64_t of_other_sizes(const IngestStatus& status) noexcept {
-  return status.packets.bad[static_cast<std::size_t>(PacketFault::kSize)];
-}
-
 }  // namespace
 
 std::string_view to_string(StreamState state) noexcept {
@@ -32,8 +28,9 @@ std::string_view to_string(StreamState state) noexcept {
 StreamState stream_state(const IngestStatus& status, std::int64_t now_monotonic_ns) noexcept {
   if (status.source.delivered == 0)
     return status.source.received == 0 ? StreamState::kNoData : StreamState::kForeign;
-  if (status.packets.received > 0 && of_other_sizes(status) == status.packets.received)
-    return StreamState::kForeign;
+  const bool is_all_damaged =
+      status.packets.received > 0 && status.packets.bad_total() == status.packets.received;
+  if (is_all_damaged && !status.is_refused) return StreamState::kForeign;
   if (now_monotonic_ns - status.last_delivery_ns > kSilence_ns) return StreamState::kSilent;
   if (status.is_refused) return StreamState::kOtherSensor;
   // Until the first packets have told how the head turns it is not known to stand.
@@ -46,15 +43,17 @@ std::string explain(StreamState state, const IngestStatus& status, const std::st
     case StreamState::kNoData:
       return "no data on " + source +
              " yet: is the sensor on and cabled, this host's address in its network (192.168.3.x/24 as "
-             "delivered), and no firewall or reverse-path filter (net.ipv4.conf.*.rp_filter) in the way? "
-             "`tcpdump -i any udp port 2368` shows what arrives";
+             "delivered), and no firewall or reverse-path filter (net.ipv4.conf.*.rp_filter) in the way? A "
+             "sensor that broadcasts is not heard by udp://ADDRESS:PORT, only by udp://:PORT. `tcpdump -i "
+             "any "
+             "udp` shows what arrives";
     case StreamState::kForeign:
       return format("%llu datagrams on ", number(status.source.received)) + source +
              format(
-                 ", none of the sensor: %llu from another sender or port (packets.source_address, "
-                 "packets.port), %llu too long, %llu of other sizes than an HDL-64E's 1,206 bytes",
-                 number(status.source.filtered), number(status.source.truncated),
-                 number(of_other_sizes(status)));
+                 ", none of an HDL-64E: %llu from another sender (packets.source_address), %llu of another "
+                 "size or damaged",
+                 number(status.source.filtered),
+                 number(status.source.truncated + status.packets.bad_total()));
     case StreamState::kOtherSensor: {
       const std::string what = hdl64::refusal(status.sensor);
       return "on " + source + ": " +

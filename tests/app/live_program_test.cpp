@@ -77,7 +77,10 @@ TEST_CASE("started before its sensor, a live run waits, says so, and goes on whe
   CHECK(status["packets"]["decoded"] == live.folder.num_packets());
 
   const std::string saved = live.ctl("save")["folder"];
-  CHECK(fs::exists(live.folder.path() / saved / "run.json"));
+  const auto so_far = nlohmann::json::parse(read_text(live.folder.path() / saved / "run.json"));
+  CHECK(so_far["sweeps"]["posed"] == so_far["trajectory"]["poses"]);
+  CHECK(so_far["sweeps"]["balanced"] == true);
+  CHECK(so_far["decisions"]["complete"] == false);
   CHECK(fs::exists(live.folder.path() / live.ctl("trace")["trace"].get<std::string>()));
   live.ctl("reset");
 
@@ -91,7 +94,9 @@ TEST_CASE("started before its sensor, a live run waits, says so, and goes on whe
   CHECK(report["sweeps"]["balanced"] == true);
   CHECK(report["datagrams"]["balanced"] == true);
   const std::string lines = read_text(live.folder.path() / "poses.jsonl");
-  CHECK(std::count(lines.begin(), lines.end(), '\n') == report["trajectory"]["poses"].get<int>());
+  // One for each pose; and when the sensor had fallen silent, the last one again, as lost.
+  CHECK(std::count(lines.begin(), lines.end(), '\n') == report["trajectory"]["poses"].get<int>() + 1);
+  CHECK(lines.find("\"no data\"") != std::string::npos);
 }
 
 TEST_CASE("the recorded packets of a live run, replayed, give its trajectory to the byte",
@@ -179,9 +184,11 @@ TEST_CASE("a capture replayed in real time behaves as live, scans cannot be", "[
   const StreetFolder folder;
   const Outcome outcome = run_pago(folder.path(),
                                    "run street.pcap --realtime --set control.socket=none --set "
-                                   "publish.shared_memory= --set publish.json_lines=poses.jsonl");
+                                   "publish.shared_memory= --set publish.json_lines=poses.jsonl --set "
+                                   "mount.height_m=1.2 --set ground.mount_check.sweeps=2");
   INFO(outcome.out << outcome.err);
   REQUIRE(outcome.exit_code == 0);
   CHECK_FALSE(read_text(folder.path() / "poses.jsonl").empty());
-  CHECK(fs::exists(folder.path() / "results/latest/log.txt"));
+  const std::string log = read_text(folder.path() / "results/latest/log.txt");
+  CHECK(log.find("mount.height_m is 1.20; try --set mount.height_m=1.7") != std::string::npos);
 }

@@ -317,6 +317,8 @@ TEST_CASE("settings that cannot be used are refused when the odometry is made", 
   Config config;
   config.ground.method = "lawn";
   CHECK_THROWS_AS(Odometry(config), Error);
+  config.ground.method = "truth";
+  CHECK_THROWS_WITH(Odometry(config), Catch::Contains("needs labels"));
   config = {};
   config.odometry.max_rounds = 0;
   CHECK_THROWS_WITH(Odometry(config), Catch::Contains("odometry.max_rounds"));

@@ -82,6 +82,7 @@ enum class KittiCompensation : std::uint8_t {
 struct KittiConfig {
   KittiCompensation compensated = KittiCompensation::kAuto;
   double vertical_correction_deg = 0.0;
+  bool labels = true;
   int first = 0;
   int count = 0;
 };
@@ -94,6 +95,8 @@ void describe(Visitor& v, KittiConfig& c) {
     "whether scans are free of motion distortion already; auto: odometry layout yes, raw layout no");
   v("vertical_correction_deg", c.vertical_correction_deg, within(-1.0, 1.0),
     "turns every return up by this; 0.205 mends the odometry benchmark's known error, raw data needs none");
+  v("labels", c.labels,
+    "whether SemanticKITTI's labels are read where there are some: labels/000000.label beside the scans");
   v("first", c.first, within(0, 10000000), "scans skipped at the start of the folder");
   v("count", c.count, within(0, 10000000), "scans read after those; 0 reads all");
 }

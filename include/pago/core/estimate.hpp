@@ -26,6 +26,7 @@ enum class HealthReason : std::uint8_t {
   kIncompleteSweep,    ///< part of the rotation is missing (lost packets, overfull sweep)
   kTimeGap,            ///< sensor time went back or stood still: the motion is unknown
   kRefusedScan,        ///< Odometry was given a scan that it cannot use
+  kNoData,             ///< the sensor has fallen silent: the last pose, told again
   kCount
 };
 

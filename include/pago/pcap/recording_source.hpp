@@ -19,6 +19,8 @@ class RecordingSource final : public PacketSource {
   SourceCounters counters() const noexcept override { return source_.counters(); }
   Progress progress() const noexcept override { return source_.progress(); }
   std::string complaint() const override { return source_.complaint(); }
+  bool has_labels() const noexcept override { return source_.has_labels(); }
+  void label(Sweep& sweep) const noexcept override { source_.label(sweep); }
 
  private:
   PacketSource& source_;
