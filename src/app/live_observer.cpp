@@ -54,6 +54,7 @@ LiveOutlets open_outlets(const Config& config) {
   if (socket != "none")
     outlets.control =
         std::make_unique<output::ControlServer>(socket.empty() ? output::default_control_path() : socket);
+  if (!config.record.file.empty()) outlets.packets = std::make_unique<PcapRecorder>(config.record);
   return outlets;
 }
 
@@ -100,6 +101,7 @@ void LiveObserver::on_status(const IngestStatus& status) {
   now_ = status;
   line_.show(status.progress);
   note_state();
+  note_sensor();
   if (Clock::now() >= next_losses_) note_losses();
   if (outlets_.control) outlets_.control->serve([this](output::Request request) { return handle(request); });
 }
@@ -119,9 +121,25 @@ void LiveObserver::note_state() {
     log_.warn(sentence);
 }
 
+void LiveObserver::note_sensor() {
+  for (const std::string& warning : hdl64::warnings_of(now_.said)) {
+    if (!told_warnings_.insert(warning).second) continue;
+    line_.clear();
+    log_.warn("the sensor says: " + warning);
+  }
+  if (!now_.is_calibration_wrong || !told_warnings_.insert("calibration").second) return;
+  line_.clear();
+  log_.warn("wrong calibration: it is not the one that this sensor sends; `pago inspect` shows by how much");
+}
+
 void LiveObserver::note_losses() {
   next_losses_ = Clock::now() + kBetweenLosses;
-  const std::string text = losses(told_, now_, superseded_ - told_superseded_);
+  std::string text = losses(told_, now_, superseded_ - told_superseded_);
+  const std::uint64_t unwritten = outlets_.packets ? outlets_.packets->counters().unwritten() : 0;
+  if (unwritten > told_unwritten_)
+    text += format("%s%llu datagrams to the recording (disk full or slow)", text.empty() ? "" : ", ",
+                   static_cast<unsigned long long>(unwritten - told_unwritten_));
+  told_unwritten_ = unwritten;
   told_ = now_;
   told_superseded_ = superseded_;
   if (text.empty()) return;
@@ -162,6 +180,13 @@ std::string LiveObserver::status_json() const {
       {"reason", to_string(static_cast<HealthReason>(newest_.reason))},
       {"uptime_s", std::chrono::duration<double>(Clock::now() - start_).count()},
       {"rotation_hz", state == StreamState::kRunning ? now_.rotation_hz : 0.0},
+      {"sensor",
+       {{"temperature_c", now_.said.temperature_c},
+        {"warnings", hdl64::warnings_of(now_.said)},
+        {"firmware", hdl64::firmware_of(now_.said)},
+        {"gps", to_string(now_.said.gps)},
+        {"clock_drift_ppm", now_.clock_drift_ppm},
+        {"calibration_is_its_own", !now_.is_calibration_wrong}}},
       {"poses", recorder_.totals().num_poses},
       {"length_m", recorder_.totals().length_m},
       {"position_m", newest_.position_m},
@@ -176,6 +201,8 @@ std::string LiveObserver::status_json() const {
 std::vector<std::string> LiveObserver::complaints() const {
   std::vector<std::string> result;
   if (outlets_.lines && !outlets_.lines->complaint().empty()) result.push_back(outlets_.lines->complaint());
+  if (outlets_.packets && !outlets_.packets->complaint().empty())
+    result.push_back(outlets_.packets->complaint());
   if (outlets_.sender && outlets_.sender->unsent() > 0)
     result.push_back(format("%llu poses could not be sent by UDP: no route?",
                             static_cast<unsigned long long>(outlets_.sender->unsent())));

@@ -104,7 +104,7 @@ std::vector<Contender> contenders(const SegmentOptions& options,
   for (const std::string& method : options.methods) {
     GroundConfig ground = config.ground;
     ground.method = method;
-    const auto max_returns = static_cast<std::uint32_t>(config.assembly.max_returns);
+    const auto max_returns = max_returns_of(config.assembly, /*can_be_dual=*/true);
     result.push_back({.name = method,
                       .stage = ground::GroundStage(ground, config.mount, max_returns),
                       .files = MaskFiles(folder / method, options.files)});

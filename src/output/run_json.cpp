@@ -50,18 +50,17 @@ Json json_of(const PacketCounters& c) {
   Json bad;
   for (std::size_t i = 1; i < c.bad.size(); ++i)
     bad[std::string(to_string(static_cast<PacketFault>(i)))] = c.bad[i];
-  return {{"received", c.received},
-          {"decoded", c.decoded},
-          {"duplicate", c.duplicate},
-          {"late", c.late},
-          {"bad", bad},
-          {"reordered", c.reordered},
-          {"pending", c.pending},
-          {"balanced", c.balanced()}};
+  return {{"received", c.received},   {"decoded", c.decoded},   {"duplicate", c.duplicate},
+          {"late", c.late},           {"filtered", c.filtered}, {"bad", bad},
+          {"reordered", c.reordered}, {"pending", c.pending},   {"balanced", c.balanced()}};
 }
 
 Json json_of(const FiringCounters& c) {
-  return {{"expected", c.expected}, {"decoded", c.decoded}, {"lost", c.lost}, {"balanced", c.balanced()}};
+  return {{"expected", c.expected},
+          {"decoded", c.decoded},
+          {"lost", c.lost},
+          {"blind", c.blind},
+          {"balanced", c.balanced()}};
 }
 
 Json json_of(const SweepCounters& c) {

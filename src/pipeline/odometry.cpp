@@ -94,7 +94,7 @@ Odometry::Odometry(const Config& config) {
   if (ground::find_method(config.ground.method).traits.needs_labels)
     throw Error("ground.method", "'" + config.ground.method + "' needs labels, and scans have none",
                 "choose another method");
-  parts_ = std::make_unique<Parts>(config, static_cast<std::uint32_t>(config.assembly.max_returns));
+  parts_ = std::make_unique<Parts>(config, max_returns_of(config.assembly, /*can_be_dual=*/false));
 }
 Odometry::~Odometry() = default;
 Odometry::Odometry(Odometry&&) noexcept = default;

@@ -25,7 +25,7 @@ struct Pipeline::Parts {
       : config(c),
         pace(p),
         decisions(std::move(d)),
-        max_returns(static_cast<std::uint32_t>(c.assembly.max_returns)),
+        max_returns(max_returns_of(c.assembly, /*can_be_dual=*/true)),
         ring(static_cast<std::size_t>(c.assembly.ring_size), max_returns),
         segmenter(c.ground, c.mount, max_returns),
         extractor(c.features, max_returns),
@@ -187,8 +187,14 @@ IngestStatus status_of(const PacketSource& source,
           .sweeps = ingest.sweeps(),
           .last_delivery_ns = last_delivery_ns,
           .rotation_hz = ingest.rotation_hz(),
+          .clock_drift_ppm = ingest.clock_offset().drift_ppm(),
+          .said = ingest.status().status(),
+          .other_sender = ingest.packets().filtered > 0 ? ingest.sender().other_ipv4() : 0,
           .sensor = ingest.sensor(),
-          .is_refused = ingest.is_refused()};
+          .is_refused = ingest.is_refused(),
+          .is_calibration_wrong =
+              ingest.calibration_difference() && ingest.calibration_difference()->is_other_unit(),
+          .is_view_limited = ingest.is_view_limited()};
 }
 
 void note(RunSummary& summary, const PacketSource& source, const PacketIngest& ingest) {

@@ -4,6 +4,7 @@
 
 #include <array>
 
+#include "pago/config/packet_filter.hpp"
 #include "pago/core/text.hpp"
 
 namespace pago {
@@ -65,7 +66,11 @@ std::string explain(StreamState state, const IngestStatus& status, const std::st
              "voltage?";
     case StreamState::kRunning:
       return source + ": " + std::string(hdl64::name(status.sensor)) +
-             format(", %.2f revolutions per second", status.rotation_hz);
+             format(", %.2f revolutions per second", status.rotation_hz) +
+             (status.is_view_limited ? ", field of view limited" : "") +
+             (status.other_sender == 0 ? ""
+                                       : "; packets of another sender, " + ipv4_text(status.other_sender) +
+                                             ", are left out (packets.source_address)");
     case StreamState::kCount:
       break;
   }

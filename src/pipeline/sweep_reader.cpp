@@ -21,7 +21,7 @@ class SweepReader::Packets final : public Input, private SweepExchange {
  public:
   Packets(const Config& config, PacketSource& source, const hdl64::Calibration& calibration)
       : source_(source),
-        ring_(kSweeps, static_cast<std::uint32_t>(config.assembly.max_returns)),
+        ring_(kSweeps, max_returns_of(config.assembly, /*can_be_dual=*/true)),
         ingest_(config.assembly, config.hdl64, calibration, *this, SelfFilter(config.vehicle, config.mount)) {
   }
 
@@ -72,7 +72,7 @@ class SweepReader::Packets final : public Input, private SweepExchange {
 class SweepReader::Scans final : public Input {
  public:
   Scans(const Config& config, SweepSource& source)
-      : source_(source), ring_(1, static_cast<std::uint32_t>(config.assembly.max_returns)) {}
+      : source_(source), ring_(1, max_returns_of(config.assembly, /*can_be_dual=*/true)) {}
 
   Sweep* next() override {
     if (given_ != nullptr) ring_.release(given_);

@@ -27,7 +27,7 @@ class RecordedSweeps final : private SweepExchange {
                  Watch watch = {})
       : config_(with(sectors)),
         source_(capture, config_.packets),
-        ring_(3, static_cast<std::uint32_t>(config_.assembly.max_returns)),
+        ring_(3, max_returns_of(config_.assembly, /*can_be_dual=*/true)),
         ingest_(config_.assembly,
                 config_.hdl64,
                 hdl64::load_calibration(calibration, config_.hdl64.vertical_offset),

@@ -23,6 +23,18 @@ void describe(Visitor& v, PacketFilterConfig& c) {
     "IPv4 address of the sensor, to tell several apart; empty takes every sender");
 }
 
+/// [capture] Which part of a capture is used.
+struct CaptureConfig {
+  double start_s = 0.0;
+  double duration_s = 0.0;
+};
+
+template <typename Visitor>
+void describe(Visitor& v, CaptureConfig& c) {
+  v("start_s", c.start_s, within(0.0, 1e9), "skipped at the beginning, by the capture's own stamps");
+  v("duration_s", c.duration_s, within(0.0, 1e9), "used after that; 0: to the end");
+}
+
 /// [udp] How a live sensor's socket is read.
 struct UdpConfig {
   int receive_buffer_bytes = 4 << 20;
@@ -36,6 +48,27 @@ void describe(Visitor& v, UdpConfig& c) {
     "HDL-64E at 4 MiB and 26 ms at the usual default");
   v("drain_interval_ms", c.drain_interval_ms, within(0.1, 20.0),
     "the socket is emptied this often; waking for each packet costs a tenth of a core");
+}
+
+/// [record] How a live sensor's datagrams are kept.
+struct RecordConfig {
+  std::string file;
+  int file_mb = 0;
+  int keep_files = 0;
+  int buffer_mb = 32;
+};
+
+template <typename Visitor>
+void describe(Visitor& v, RecordConfig& c) {
+  v("file", c.file, "capture that a live run's datagrams are written to; empty: none");
+  v("file_mb", c.file_mb, within(0, 1'000'000),
+    "a file that has this size is closed and the next begun, drive_0001.pcap, drive_0002.pcap and so on; an "
+    "HDL-64E sends 260 MB a minute. 0: one file");
+  v("keep_files", c.keep_files, within(0, 1'000'000),
+    "of those files only so many, the newest, are kept; 0: all");
+  v("buffer_mb", c.buffer_mb, within(1, 4096),
+    "memory in which datagrams wait for the disk; 32 hold 4 s of an HDL-64E. What finds it full is not "
+    "recorded, and counted");
 }
 
 /// Whether the returns of a KITTI scan were already brought into the frame of one instant.

@@ -17,9 +17,10 @@ class LabelledCapture final : public PacketSource {
   /// with.
   LabelledCapture(const std::filesystem::path& capture,
                   const PacketFilterConfig& filter,
+                  const CaptureConfig& part,
                   const std::filesystem::path& labels,
                   const hdl64::Calibration& unit)
-      : packets_(capture, filter), labels_(labels), unit_(unit) {}
+      : packets_(capture, filter, part), labels_(labels), unit_(unit) {}
 
   std::span<const Datagram> receive() noexcept override { return packets_.receive(); }
   bool all_done() const noexcept override { return packets_.all_done(); }
