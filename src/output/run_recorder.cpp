@@ -13,6 +13,7 @@ RunRecorder::RunRecorder(const std::filesystem::path& folder,
       flush_interval_(std::chrono::duration_cast<Clock::duration>(
           std::chrono::duration<double>(config.flush_interval_s))),
       next_flush_(Clock::now() + flush_interval_),
+      front_end_(folder, "front_end"),
       first_(folder, "odometry"),
       refined_(folder, "trajectory"),
       latency_(folder / "latency.csv"),
@@ -25,6 +26,7 @@ void RunRecorder::add(const SweepRecord& record) {
   newest_sequence_ = record.header.sequence;
   latency_.write(record);
   if (record.has_pose) {
+    front_end_.write(record.stamp_ns, record.T_odom_sensor_front_end);
     first_.write(record.stamp_ns, record.T_odom_sensor_first);
     refined_.write(record.stamp_ns, record.T_odom_sensor_refined);
   }
@@ -32,6 +34,7 @@ void RunRecorder::add(const SweepRecord& record) {
 }
 
 void RunRecorder::flush() noexcept {
+  front_end_.flush();
   first_.flush();
   refined_.flush();
   latency_.flush();
@@ -69,7 +72,8 @@ void RunRecorder::write_at_end(const char* name, const std::string& text) {
 
 std::vector<std::string> RunRecorder::complaints() const {
   std::vector<std::string> complaints;
-  for (const std::string& complaint : {first_.complaint(), refined_.complaint(), latency_.complaint()})
+  for (const std::string& complaint :
+       {front_end_.complaint(), first_.complaint(), refined_.complaint(), latency_.complaint()})
     if (!complaint.empty()) complaints.push_back(complaint);
   complaints.insert(complaints.end(), end_complaints_.begin(), end_complaints_.end());
   return complaints;

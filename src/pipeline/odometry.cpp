@@ -10,6 +10,7 @@
 #include "pago/core/error.hpp"
 #include "pago/features/features.hpp"
 #include "pago/ground/ground_stage.hpp"
+#include "pago/mapping/mapping.hpp"
 #include "pago/odometry/odometry.hpp"
 
 namespace pago {
@@ -70,19 +71,21 @@ struct Odometry::Parts {
         organizer(max_returns, SelfFilter(c.vehicle, c.mount)),
         segmenter(c.ground, c.mount, max_returns),
         extractor(c.features, max_returns),
-        odometer(c.odometry, max_returns) {}
+        mapper(c.mapping),
+        odometer(c.odometry, max_returns, mapper.refined()) {}
 
   void run_stages() noexcept {
-    Chain stages(segmenter, extractor, odometer);
-    stages.begin(sweep);
-    stages.accept({&sweep, sweep.size, sweep.header.num_columns, true});
-    stages.finish(sweep);
+    Update next_targets(odometer);
+    Update next_map(mapper);
+    Chain stages(segmenter, extractor, odometer, mapper, next_targets, next_map);
+    stages.process(sweep);
   }
 
   Sweep sweep;
   ScanOrganizer organizer;
   ground::GroundStage segmenter;
   features::FeaturesStage extractor;
+  mapping::MappingStage mapper;
   odometry::OdometryStage odometer;
 
   std::uint64_t sequence = 0;  // of the next scan

@@ -13,6 +13,7 @@
 #include "pago/core/seqlock.hpp"
 #include "pago/features/features.hpp"
 #include "pago/ground/ground_stage.hpp"
+#include "pago/mapping/mapping.hpp"
 #include "pago/odometry/odometry.hpp"
 #include "pago/pipeline/timed.hpp"
 #include "pago/platform/thread.hpp"
@@ -29,7 +30,8 @@ struct Pipeline::Parts {
         ring(static_cast<std::size_t>(c.assembly.ring_size), max_returns),
         segmenter(c.ground, c.mount, max_returns),
         extractor(c.features, max_returns),
-        odometer(c.odometry, max_returns),
+        mapper(c.mapping),
+        odometer(c.odometry, max_returns, mapper.refined()),
         pose_maker(c.publish.child, c.mount),
         parts(c.assembly.ring_size * c.assembly.sectors + 1, max_pending(), Recorded(decisions.superseded)),
         sweeps(c.assembly.ring_size + 1, max_pending()),
@@ -52,13 +54,19 @@ struct Pipeline::Parts {
     PublishPose refined_pose(output::PoseKind::kRefined, pose_maker, board ? &*board : nullptr, outlet);
     PublishMount mount_verdict(segmenter, verdict);
     Chain front(ground, features, mount_verdict);
-    Chain estimate(odometry, first_pose, refined_pose);
+    Timed mapping(StageId::kMapping, mapper);
+    Update next_targets(odometer);
+    Update next_map(mapper);
+    Chain after(next_targets, next_map);
+    Timed update(StageId::kUpdate, after);
+    Chain estimate(odometry, first_pose, mapping, refined_pose, update);
     const auto begin_anew = [this, resets = Recorded(decisions.resets)](Sweep& sweep) mutable noexcept {
       // Relaxed: a wish, which guards no data.
       const bool is_asked = is_reset_requested.exchange(false, std::memory_order_relaxed);
       if (!is_asked && !resets.has(sweep.header.sequence)) return;
       sweep.header.flags |= kAfterReset;
       odometer.reset();
+      mapper.reset();
     };
     const auto finish = [this](Sweep* sweep) noexcept {
       if (sweep == nullptr) return outlet.send({News::Kind::kEnd, {}, {}});
@@ -146,6 +154,7 @@ struct Pipeline::Parts {
   SweepRing ring;
   ground::GroundStage segmenter;
   features::FeaturesStage extractor;
+  mapping::MappingStage mapper;
   odometry::OdometryStage odometer;
   output::PoseMaker pose_maker;
   std::optional<output::PoseBoard> board;  // live

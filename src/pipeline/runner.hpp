@@ -65,14 +65,12 @@ void run_parts(S& stage, Link<SweepPart>& in, Link<Sweep*>& out) noexcept {
 
 /// The same for whole sweeps; `before(sweep)` is called ahead of each, `done(sweep)` after it, and with null
 /// at the end.
-template <Stage S, typename Before, typename Done>
-void run_sweeps(S& stage, Link<Sweep*>& in, Before before, Done done) noexcept {
+template <Stage... Stages, typename Before, typename Done>
+void run_sweeps(Chain<Stages...>& stages, Link<Sweep*>& in, Before before, Done done) noexcept {
   while (Sweep* sweep = pop(in.channel)) {
     before(*sweep);
     if (in.backlog.passes_over(sweep->header.sequence)) sweep->header.flags |= kSuperseded;
-    stage.begin(*sweep);
-    stage.accept({sweep, sweep->size, sweep->header.num_columns, true});
-    stage.finish(*sweep);
+    stages.process(*sweep);
     done(sweep);
   }
   done(nullptr);

@@ -7,6 +7,7 @@
 #include "pago/config/features.hpp"
 #include "pago/config/ground.hpp"
 #include "pago/config/hdl64.hpp"
+#include "pago/config/mapping.hpp"
 #include "pago/config/mount.hpp"
 #include "pago/config/odometry.hpp"
 #include "pago/config/output.hpp"
@@ -31,6 +32,7 @@ struct Config {
   GroundConfig ground;
   FeaturesConfig features;
   OdometryConfig odometry;
+  MappingConfig mapping;
   PipelineConfig pipeline;
   OutputConfig output;
   PublishConfig publish;
@@ -52,6 +54,7 @@ void describe(Visitor& v, Config& c) {
   v.section("ground", c.ground, "which returns the vehicle could stand on");
   v.section("features", c.features, "edges and planar points");
   v.section("odometry", c.odometry, "the motion from one sweep to the next");
+  v.section("mapping", c.mapping, "each sweep against the local map: the refined pose");
   v.section("pipeline", c.pipeline, "threads");
   v.section("output", c.output, "what a run leaves behind");
   v.section("publish", c.publish, "poses for other processes, while a live sensor is read");

@@ -12,7 +12,7 @@
 namespace pago {
 
 /// Where a sweep's time goes. One entry per row of the latency table.
-enum class StageId : std::uint8_t { kIngest, kGround, kFeatures, kOdometry, kMapping, kCount };
+enum class StageId : std::uint8_t { kIngest, kGround, kFeatures, kOdometry, kMapping, kUpdate, kCount };
 inline constexpr std::size_t kNumStages = static_cast<std::size_t>(StageId::kCount);
 
 /// One stage's time on one sweep. Monotonic clock; zero where the stage did not run.
@@ -81,6 +81,43 @@ struct FeatureLists {
   FixedVector<std::uint32_t> edges;         ///< sharp ones and more: the next sweep's targets
   FixedVector<std::uint32_t> flat_planars;  ///< the flattest few per sector: sources of step one
   FixedVector<std::uint32_t> planars;       ///< thinned rest: the next sweep's targets
+  // Of all returns, whatever they are (features/thinning.hpp); each list is a part of the one before.
+  FixedVector<std::uint32_t> dense;       ///< evenly spaced along rings: what a saved map shows
+  FixedVector<std::uint32_t> map_points;  ///< one per voxel: what the local map is made of
+  FixedVector<std::uint32_t> key_points;  ///< few: what is registered to the local map
+};
+/// More than a sweep of an HDL-64E gives at the default voxels, with room to spare; beyond, points are left
+/// out.
+inline constexpr std::uint32_t kMaxDensePoints = 100'000, kMaxMapPoints = 32'768, kMaxKeyPoints = 8'000;
+
+/// What odometry tells mapping: the motion since the last sweep with a pose, between the two sweeps'
+/// reference instants. Poses are chained between these; they are reported at the configured instant.
+struct ScanMotion {
+  std::int64_t reference_ns = 0;  ///< the sweep's middle
+  std::int64_t reported_ns = 0;
+  double period_s = 0.0;        ///< since the last sweep's reference instant; 0 for the first sweep
+  bool is_compensated = false;  ///< returns are in the frame of the reference instant already
+  bool is_registered = false;   ///< found by matching; else carried on at constant velocity
+  bool is_time_lost = false;    ///< the sensor's clock began anew, or leapt: `period_s` is a guess
+  Eigen::Isometry3d T_last_this = Eigen::Isometry3d::Identity();
+  /// Of T_last_this; right perturbation in the sensor frame, order x y z roll pitch yaw.
+  Matrix6d information = Matrix6d::Zero();
+};
+
+/// What mapping leaves for odometry's next sweep: the last one, once the map had its say. Both live in the
+/// estimate thread.
+struct RefinedState {
+  bool is_placed = false;                                              ///< the pose below is one
+  bool has_motion = false;                                             ///< it is known how the sensor moves
+  Eigen::Isometry3d T_odom_reference = Eigen::Isometry3d::Identity();  ///< at the reference instant
+  Vector6d twist = Vector6d::Zero();         ///< per second, sensor frame, mean over the last period
+  Vector6d acceleration = Vector6d::Zero();  ///< of that twist, smoothed
+  double period_s = 0.0;                     ///< the last one
+
+  /// The twist at an instant so long after the reference instant.
+  Vector6d twist_at(double after_s) const noexcept {
+    return twist + (0.5 * period_s + after_s) * acceleration;
+  }
 };
 
 /// One rotation of the sensor, the frame that travels through the pipeline. Preallocated, structure of
@@ -108,6 +145,9 @@ struct Sweep {
     features.edges = FixedVector<std::uint32_t>(kNumRings * 6 * 40);
     features.flat_planars = FixedVector<std::uint32_t>(kNumRings * 6 * 20);
     features.planars = FixedVector<std::uint32_t>(max_returns);
+    features.dense = FixedVector<std::uint32_t>(std::min(max_returns, kMaxDensePoints));
+    features.map_points = FixedVector<std::uint32_t>(std::min(max_returns, kMaxMapPoints));
+    features.key_points = FixedVector<std::uint32_t>(std::min(max_returns, kMaxKeyPoints));
   }
 
   SweepHeader header;
@@ -131,6 +171,9 @@ struct Sweep {
   AlignedArray<std::uint16_t> cluster;
   FeatureLists features;
 
+  // --- odometry
+  ScanMotion motion;
+
   // --- odometry, mapping
   Estimate estimate;
 
@@ -150,6 +193,10 @@ struct Sweep {
     features.edges.clear();
     features.flat_planars.clear();
     features.planars.clear();
+    features.dense.clear();
+    features.map_points.clear();
+    features.key_points.clear();
+    motion = {};
     estimate = {};
     times = {};
   }

@@ -19,6 +19,7 @@ namespace pago::output {
 /// The files of one run, written as it goes on:
 ///   odometry.tum, .kitti     first poses, one per sweep that has a pose
 ///   trajectory.tum, .kitti   refined poses, the same sweeps
+///   front_end.tum, .kitti    products of scan-to-scan increments alone, the same sweeps: for studies
 ///   latency.csv              every sweep
 ///   trace.json, run.json     at the end
 /// [publisher thread] all of it; blocks on the disk. A full disk never ends a run: see complaints().
@@ -55,7 +56,7 @@ class RunRecorder {
   std::filesystem::path folder_;
   Clock::duration flush_interval_;
   Clock::time_point next_flush_;
-  TrajectoryWriter first_, refined_;
+  TrajectoryWriter front_end_, first_, refined_;
   LatencyCsv latency_;
   Trace trace_;
   DecisionLog decisions_;
