@@ -13,6 +13,7 @@ std::span<const Method> methods() noexcept {
   static constexpr std::array kMethods{
       Method{"patchwork", "a plane per polar bin, judged by tilt, height and flatness (Lim 2021)",
              &make_patchwork},
+      Method{"patchwork-hdl64", "Patchwork with settings chosen for the HDL-64E", &make_patchwork_hdl64},
       Method{"patchworkpp",
              "Patchwork that learns its bounds from the sweeps before (Lee 2022)",
              &make_patchworkpp,

@@ -12,7 +12,7 @@ using MakeSegmenter = std::unique_ptr<Segmenter>(const GroundConfig&,
                                                  const Mount&,
                                                  std::uint32_t max_returns);
 
-MakeSegmenter make_cascaded, make_gpf, make_lego, make_linefit, make_none, make_patchwork, make_patchworkpp,
-    make_ransac, make_rgpf, make_truth, make_truth_errors;
+MakeSegmenter make_cascaded, make_gpf, make_lego, make_linefit, make_none, make_patchwork,
+    make_patchwork_hdl64, make_patchworkpp, make_ransac, make_rgpf, make_truth, make_truth_errors;
 
 }  // namespace pago::ground

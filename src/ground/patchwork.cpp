@@ -23,13 +23,13 @@ constexpr int kInnerRings = 4;  // rings with a bound on elevation of their own
 
 class Patchwork final : public Segmenter {
  public:
-  Patchwork(const PatchworkConfig& config, const Mount& mount, std::uint32_t max_returns)
+  Patchwork(const std::string& section,
+            const PatchworkConfig& config,
+            const Mount& mount,
+            std::uint32_t max_returns)
       : config_(config),
-        ground_(concentric_zones("ground.patchwork",
-                                 config.min_range_m,
-                                 config.max_range_m,
-                                 config.zone_rings,
-                                 config.zone_sectors),
+        ground_(concentric_zones(
+                    section, config.min_range_m, config.max_range_m, config.zone_rings, config.zone_sectors),
                 mount,
                 max_returns),
         grow_({.lowest_points = config.lowest_points,
@@ -86,7 +86,13 @@ class Patchwork final : public Segmenter {
 std::unique_ptr<Segmenter> make_patchwork(const GroundConfig& config,
                                           const Mount& mount,
                                           std::uint32_t max_returns) {
-  return std::make_unique<Patchwork>(config.patchwork, mount, max_returns);
+  return std::make_unique<Patchwork>("ground.patchwork", config.patchwork, mount, max_returns);
+}
+
+std::unique_ptr<Segmenter> make_patchwork_hdl64(const GroundConfig& config,
+                                                const Mount& mount,
+                                                std::uint32_t max_returns) {
+  return std::make_unique<Patchwork>("ground.patchwork_hdl64", config.patchwork_hdl64, mount, max_returns);
 }
 
 }  // namespace pago::ground

@@ -25,9 +25,11 @@ class SectorWatch {
       : SectorWatch(ground_cases(), mount, max_returns) {}
   SectorWatch(const std::vector<GroundCase>& cases, const Mount& mount, std::uint32_t max_returns = 300'000) {
     for (const GroundCase& c : cases)
-      pairs_.push_back({c.name, ground::make_segmenter(c.config, mount, max_returns),
+      pairs_.push_back({c.name,
                         ground::make_segmenter(c.config, mount, max_returns),
-                        AlignedArray<std::uint8_t>(max_returns)});
+                        ground::make_segmenter(c.config, mount, max_returns),
+                        AlignedArray<std::uint8_t>(max_returns),
+                        {}});
   }
 
   void take(const SweepPart& part) {

@@ -21,6 +21,7 @@ namespace pago {
 struct GroundConfig {
   std::string method = "patchwork";
   PatchworkConfig patchwork;
+  PatchworkConfig patchwork_hdl64 = patchwork_hdl64_profile();
   PatchworkppConfig patchworkpp;
   LegoConfig lego;
   RgpfConfig rgpf;
@@ -37,10 +38,12 @@ struct GroundConfig {
 template <typename Visitor>
 void describe(Visitor& v, GroundConfig& c) {
   v("method", c.method,
-    "ground segmentation: patchwork, patchworkpp, lego, rgpf, linefit, ransac, gpf, cascaded; none, truth or "
+    "ground segmentation: patchwork, patchwork-hdl64, patchworkpp, lego, rgpf, linefit, ransac, gpf, "
+    "cascaded; none, truth or "
     "truth-errors for studies");
   v.section("patchwork", c.patchwork,
             "a plane per polar bin, judged by tilt, height and flatness (Lim 2021)");
+  v.section("patchwork_hdl64", c.patchwork_hdl64, "Patchwork with settings chosen for the HDL-64E");
   v.section("patchworkpp", c.patchworkpp,
             "Patchwork that learns its bounds from the sweeps before (Lee 2022)");
   v.section("lego", c.lego, "the slope between vertical neighbours (Shan and Englot 2018)");

@@ -16,8 +16,8 @@ evaluation::GroundSummary score_ground(const Config& config,
                                        const std::filesystem::path& labels,
                                        evaluation::GroundProtocol protocol) {
   const auto segmenter = ground::make_segmenter(config.ground, config.mount,
-                                                static_cast<std::uint32_t>(config.assembly.max_returns));
-  LabelledCapture capture(pcap, config.packets, labels, calibration);
+                                                max_returns_of(config.assembly, /*can_be_dual=*/true));
+  LabelledCapture capture(pcap, config.packets, config.capture, labels, calibration);
   SweepReader reader(config, capture, calibration);
   std::vector<evaluation::GroundCounts> frames;
   while (Sweep* const sweep = reader.next()) {

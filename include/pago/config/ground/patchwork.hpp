@@ -30,6 +30,10 @@ struct PatchworkConfig {
   double max_elevation_beyond_m = 100.0;
 };
 
+/// [ground.patchwork_hdl64] The profile `patchwork-hdl64`: the same method with settings that were chosen for
+/// the HDL-64E on simulated drives (docs/ground.md says how).
+PatchworkConfig patchwork_hdl64_profile();
+
 template <typename Visitor>
 void describe(Visitor& v, PatchworkConfig& c) {
   v("min_range_m", c.min_range_m, within(0.0, 20.0),
@@ -66,8 +70,7 @@ void describe(Visitor& v, PatchworkConfig& c) {
     "across it (paper, as flatness: 0 0.000125 0.000185 0.000185)");
   v("max_elevation_beyond_m", c.max_elevation_beyond_m, within(-10.0, 100.0),
     "the same bound for all farther rings, flat or not; 100 = none (paper: none; tree crowns over unseen "
-    "ground "
-    "need it)");
+    "ground need it)");
 }
 
 }  // namespace pago
