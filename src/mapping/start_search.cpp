@@ -3,11 +3,13 @@
 #include "pago/mapping/start_search.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <numbers>
 
 #include "local_map.hpp"
 #include "pago/core/se3.hpp"
 #include "pago/core/sweep.hpp"
+#include "pago/core/symmetric6.hpp"
 
 namespace pago::mapping {
 
@@ -51,13 +53,20 @@ registration::CellMapOptions cells_of(const MappingConfig& config) noexcept {
   return options;
 }
 
-/// How well what is matched fits; and, less, how much is matched: a map that moves past the sensor fills,
-/// that of one that stands does not. Where nothing else tells motions apart, the sensor stands.
+/// How far off a position may be, in the direction that is known least; within reason.
+double vagueness_m(const JointResult& result) noexcept {
+  const Matrix6d information = result.information + Matrix6d::Identity();
+  return std::clamp(std::sqrt(inverse_of(information).diagonal().head<3>().maxCoeff()), 0.001, 1.0);
+}
+
+/// How well what is matched fits; less, how much is matched: a map that moves past the sensor fills, that of
+/// one that stands does not; and how sharply: a wrong motion smears what faces it. Where nothing else tells
+/// motions apart, the sensor stands.
 double score_of(const JointResult& result, const Vector6d& twist) noexcept {
-  constexpr double kCoverage = 0.1, kPerSpeed_s_m = 0.0002;
+  constexpr double kCoverage = 0.1, kPerSharpness = 0.05, kPerSpeed_s_m = 0.0002;
   const double offered = std::max(1U, result.offered);
   return result.score * offered / (result.matches + kCoverage * offered) -
-         kPerSpeed_s_m * twist.head<3>().norm();
+         kPerSharpness * std::log(vagueness_m(result)) - kPerSpeed_s_m * twist.head<3>().norm();
 }
 
 }  // namespace
@@ -257,7 +266,7 @@ void StartSearch::rank() noexcept {
 }
 
 bool StartSearch::agree(const Path& a, const Path& b) const noexcept {
-  constexpr double kSame_m = 0.1, kSame_rad = 0.01;
+  constexpr double kSame_m = 0.05, kSame_rad = 0.005;
   const Vector6d apart = difference(a.last.T_last_this, b.last.T_last_this);
   return apart.head<3>().norm() < kSame_m && apart.tail<3>().norm() < kSame_rad;
 }
