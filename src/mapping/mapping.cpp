@@ -90,7 +90,7 @@ void MappingStage::reset() noexcept {
   T_odom_map_.setIdentity();
   T_map_reference_.setIdentity();
   refined_.twist.setZero(), refined_.acceleration.setZero();
-  is_placed_ = false;
+  is_placed_ = is_elsewhere_ = false;
   predicted_in_a_row_ = unconfirmed_ = inserted_standing_ = 0;
 }
 
@@ -143,6 +143,17 @@ void MappingStage::search(const ScanMotion& motion, Estimate& estimate) noexcept
   refined_.has_motion = true;
 }
 
+namespace {
+
+/// Sweeps that may fail to fit the map after so long a gap that the vehicle may be out of the map's sight.
+constexpr int kPatienceElsewhere = 2;
+
+bool is_unknown(const ScanMotion& motion) noexcept {
+  return motion.is_time_lost || motion.period_s > registration::kLongestPrediction_s;
+}
+
+}  // namespace
+
 void MappingStage::track(const ScanMotion& motion, Sweep& sweep) noexcept {
   const MotionGuess guess = guess_of(motion);
   if (!config_.refine) {
@@ -166,9 +177,11 @@ void MappingStage::track(const ScanMotion& motion, Sweep& sweep) noexcept {
       reason = found.weak.count > 0 ? HealthReason::kNotObservable : HealthReason::kNone;
     }
   }
+  is_elsewhere_ = !is_usable(reason) && (is_elsewhere_ || is_unknown(motion));
   adopt(motion, guess, result, is_usable(reason));
   state(motion, guess, result, reason, sweep.estimate);
-  if (trust_.failures() >= config_.trust.restart_after) restart(motion, sweep.estimate);
+  const int patience = is_elsewhere_ ? kPatienceElsewhere : config_.trust.restart_after;
+  if (trust_.failures() >= patience) restart(motion, sweep.estimate);
   if (sweep.header.has(kIncomplete) && sweep.estimate.reason == HealthReason::kNone) {
     sweep.estimate.health = Health::kDegraded;
     sweep.estimate.reason = HealthReason::kIncompleteSweep;
@@ -271,6 +284,7 @@ void MappingStage::restart(const ScanMotion& motion, Estimate& estimate) noexcep
   map_.clear();
   trust_.restart();
   standstill_.reset();
+  is_elsewhere_ = false;
   estimate.health = Health::kLost;
   estimate.reason = HealthReason::kMapRestarted;
   is_inserted_ = motion.is_registered;
@@ -298,7 +312,7 @@ void MappingStage::state(const ScanMotion& motion,
   information += guess.information;
   estimate.covariance = inverse_of(information);
 
-  if (reason == HealthReason::kNone && motion.is_time_lost) reason = HealthReason::kTimeGap;
+  if (reason == HealthReason::kNone && is_unknown(motion)) reason = HealthReason::kTimeGap;
   if (reason == HealthReason::kNone && result.is_cut) reason = HealthReason::kCutShort;
   estimate.reason = reason;
   estimate.health = reason == HealthReason::kNone ? Health::kOk : Health::kDegraded;
