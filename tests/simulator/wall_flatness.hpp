@@ -7,6 +7,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "pago/hdl64/packet_decoder.hpp"
 #include "wall_scene.hpp"
 
 namespace pago::test {
