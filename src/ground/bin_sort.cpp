@@ -45,7 +45,7 @@ void BinSort::note(std::uint32_t until) noexcept {
     }
     return;
   }
-  const std::uint32_t quarter = until / kStreams;
+  const std::uint32_t quarter = static_cast<std::uint32_t>(until / kStreams);
   for (std::uint32_t i = 0; i < quarter; ++i)
     for (std::uint32_t stream = 0; stream < kStreams; ++stream)
       ++count_[bin_of[stream * quarter + i]][stream];
@@ -120,7 +120,7 @@ void BinSort::move_streams(const Coordinates& returns) noexcept {
   float* const z = z_m_.data();
   const std::uint16_t* const bin_of = bin_of_.data();
   PerStream* const next = next_.data();
-  const std::uint32_t quarter = noted_ / kStreams;
+  const std::uint32_t quarter = static_cast<std::uint32_t>(noted_ / kStreams);
   const auto put = [=](std::uint32_t i, std::size_t stream) {
     const std::uint32_t to = next[bin_of[i]][stream]++;
     x[to] = from_x[i];
