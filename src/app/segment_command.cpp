@@ -68,14 +68,12 @@ class Judge {
   static bool can_judge(const Sweep& sweep) { return sweep.header.has(kLabelled) && sweep.header.is_posed(); }
 
   void open(const Sweep& sweep) {
-    labels_.assign(sweep.label.data(), sweep.label.data() + sweep.size);
     for (GroundComparison& comparison : comparisons_) comparison.frames.push_back(sweep.header.sequence);
   }
   void judge(const Sweep& sweep, std::size_t method) {
     for (GroundComparison& comparison : comparisons_)
       comparison.methods[method].counts.push_back(
-          count_ground(comparison.protocol, labels_, sweep.z_m.first(sweep.size),
-                       sweep.ground.first(sweep.size), vegetation_cut_m_));
+          count_ground(comparison.protocol, sweep, vegetation_cut_m_));
   }
 
   std::size_t num_frames() const { return comparisons_[0].frames.size(); }
@@ -94,7 +92,6 @@ class Judge {
  private:
   float vegetation_cut_m_;
   std::array<GroundComparison, 2> comparisons_;
-  std::vector<std::uint32_t> labels_;
 };
 
 std::vector<Contender> contenders(const SegmentOptions& options,

@@ -71,6 +71,16 @@ GroundCounts count_ground(GroundProtocol protocol,
   return counts;
 }
 
+GroundCounts count_ground(GroundProtocol protocol, const Sweep& sweep, float vegetation_cut_m) {
+  GroundCounts counts;
+  counts.protocol = protocol;
+  for (std::uint32_t i = 0; i < sweep.size; ++i) {
+    const Truth truth = truth_of(protocol, sweep.label[i], sweep.z_m[i] < vegetation_cut_m);
+    ++cell(counts, truth, sweep.ground[i] != 0);
+  }
+  return counts;
+}
+
 GroundScore ground_score(const GroundCounts& c) {
   const std::uint64_t claimed_or_true = c.true_positive + c.false_positive + c.false_negative;
   GroundScore score;

@@ -27,11 +27,7 @@ class GroundPlaneFit final : public Segmenter {
         ahead_y_(static_cast<float>(-std::sin(mount.yaw_rad))),
         level_(mount, max_returns),
         sorted_(2 * kSlabs, max_returns),
-        grow_({.lowest_points = config.lowest_points,
-               .seed_height_m = config.seed_height_m,
-               .ground_thickness_m = config.ground_thickness_m,
-               .iterations = config.iterations},
-              max_returns) {
+        grow_(growth_rule(config), max_returns) {
     ground_.fill(HalfSpace::nothing());
     set_height(mount.height_m);
   }

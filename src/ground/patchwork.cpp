@@ -32,11 +32,7 @@ class Patchwork final : public Segmenter {
                     section, config.min_range_m, config.max_range_m, config.zone_rings, config.zone_sectors),
                 mount,
                 max_returns),
-        grow_({.lowest_points = config.lowest_points,
-               .seed_height_m = config.seed_height_m,
-               .ground_thickness_m = config.ground_thickness_m,
-               .iterations = config.iterations},
-              max_returns) {
+        grow_(growth_rule(config), max_returns) {
     set_height(mount.height_m);
   }
 

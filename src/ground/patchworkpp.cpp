@@ -61,11 +61,7 @@ class PatchworkPlusPlus final : public Segmenter {
                        .min_uprightness = config.min_uprightness,
                        .max_walls = config.removes_uprights ? config.iterations : 0},
                       max_returns),
-        grow_({.lowest_points = config.lowest_points,
-               .seed_height_m = config.seed_height_m,
-               .ground_thickness_m = config.ground_thickness_m,
-               .iterations = config.iterations},
-              max_returns),
+        grow_(growth_rule(config), max_returns),
         mount_height_m_(mount.height_m),
         bounds_(config, mount.height_m) {}
 

@@ -16,6 +16,12 @@ struct GrowthRule {
   int iterations = 3;               ///< fits
 };
 
+/// Out of a method's settings, which name these four alike.
+template <typename MethodConfig>
+GrowthRule growth_rule(const MethodConfig& config) {
+  return {config.lowest_points, config.seed_height_m, config.ground_thickness_m, config.iterations};
+}
+
 /// Ground plane fitting after Zermas 2017, the core of several methods: a plane through what is not much
 /// higher than the lowest points, then again and again through everything that is not above the plane.
 class PlaneGrower {

@@ -23,11 +23,7 @@ class RegionwiseFit final : public Segmenter {
   RegionwiseFit(const RgpfConfig& config, const Mount& mount, std::uint32_t max_returns)
       : config_(config),
         ground_(uniform_grid(config), mount, max_returns),
-        grow_({.lowest_points = config.lowest_points,
-               .seed_height_m = config.seed_height_m,
-               .ground_thickness_m = config.ground_thickness_m,
-               .iterations = config.iterations},
-              max_returns) {
+        grow_(growth_rule(config), max_returns) {
     set_height(mount.height_m);
   }
 

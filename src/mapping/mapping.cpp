@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "local_map.hpp"
 #include "pago/core/se3.hpp"
@@ -37,10 +36,6 @@ void load_points(const Sweep& sweep, const FixedVector<std::uint32_t>& list, Poi
                                : static_cast<float>(reference_ns - sweep.time_offset_ns[i]) * 1e-9F;
     out.add({sweep.x_m[i], sweep.y_m[i], sweep.z_m[i]}, before_s, sweep.ground[i]);
   }
-}
-
-bool is_usable(HealthReason reason) noexcept {
-  return reason == HealthReason::kNone || reason == HealthReason::kNotObservable;
 }
 
 /// Whether a position is known to worse than half a centimetre in some direction, were errors independent.
@@ -170,15 +165,15 @@ void MappingStage::track(const ScanMotion& motion, Sweep& sweep) noexcept {
   const bool is_gap = motion.is_time_lost || motion.period_s > kGap_s;
   const bool is_astray =
       trust_.failures() % config_.trust.relocalise_after == config_.trust.relocalise_after - 1;
-  if (is_gap || (!is_usable(reason) && is_astray)) {
+  if (is_gap || (!is_measured(reason) && is_astray)) {
     const JointResult found = relocalise(guess);
     if (trust_.is_usual(found.score) && static_cast<int>(found.matches) >= config_.trust.min_matches) {
       result = found;
       reason = found.weak.count > 0 ? HealthReason::kNotObservable : HealthReason::kNone;
     }
   }
-  is_elsewhere_ = !is_usable(reason) && (is_elsewhere_ || is_unknown(motion));
-  adopt(motion, guess, result, is_usable(reason));
+  is_elsewhere_ = !is_measured(reason) && (is_elsewhere_ || is_unknown(motion));
+  adopt(motion, guess, result, is_measured(reason));
   state(motion, guess, result, reason, sweep.estimate);
   const int patience = is_elsewhere_ ? kPatienceElsewhere : config_.trust.restart_after;
   if (trust_.failures() >= patience) restart(motion, sweep.estimate);
@@ -200,44 +195,6 @@ MotionGuess MappingStage::guess_of(const ScanMotion& motion) const noexcept {
         exp_se3(refined_.twist * std::min(motion.period_s, registration::kLongestPrediction_s));
   }
   return guess;
-}
-
-// Where little is seen, more points of it are worth their time.
-JointResult MappingStage::look_closer(const MotionGuess& guess, const JointResult& result) noexcept {
-  constexpr int kMostIterations = 4;
-  JointLimits limits = trust_.limits();
-  limits.stride = 1 + map_points_.size / (kMaxKeyPoints + 1);
-  limits.T_first = result.T_last_this;
-  limits.max_iterations = std::min(limits.max_iterations, kMostIterations);
-  return registration_.align(map_, map_points_, guess, limits, *budget_);
-}
-
-// Where could it be, if the velocity has changed since the sweep before? Seeds along the way and to its
-// sides, tried on a part of the points; the best is then registered with all of them.
-JointResult MappingStage::relocalise(const MotionGuess& guess) noexcept {
-  constexpr double kAcceleration_m_s2 = 3.0, kLeast_m = 3.0, kMost_m = 15.0, kStep_m = 1.5;
-  constexpr std::array<double, 5> kTurns_deg{0.0, 10.0, -10.0, 20.0, -20.0};
-  constexpr std::size_t kStride = 4;
-  const double period_s = std::max(guess.period_s, 0.1) * (1 + trust_.failures());
-  const double reach_m = std::clamp(0.5 * kAcceleration_m_s2 * period_s * period_s, kLeast_m, kMost_m);
-  const int steps = static_cast<int>(reach_m / kStep_m);
-  MotionGuess seed = guess;
-  seed.information.setZero();
-  seed.twist = refined_.twist;
-  JointResult best;
-  for (const double turn_deg : kTurns_deg) {
-    for (int step = -steps; step <= steps; ++step) {
-      Vector6d offset = Vector6d::Zero();
-      offset[0] = step * kStep_m, offset[5] = turn_deg * std::numbers::pi / 180.0;
-      seed.T_last_this = guess.T_last_this * exp_se3(offset);
-      const JointResult tried = registration_.align(
-          map_, key_points_, seed, {config_.gate_m, config_.start.kernel_m, config_.max_iterations, kStride});
-      if (tried.score > best.score) best = tried;
-    }
-  }
-  seed.T_last_this = best.T_last_this;
-  return registration_.align(map_, key_points_, seed,
-                             {config_.gate_m, config_.kernel_min_m, config_.max_iterations});
 }
 
 void MappingStage::adopt(const ScanMotion& motion,
@@ -308,7 +265,7 @@ void MappingStage::state(const ScanMotion& motion,
   estimate.map_score = static_cast<float>(result.score);
 
   Matrix6d information = registration::predicted_information(motion.period_s, unconfirmed_);
-  if (is_usable(reason)) information += result.weak.without(result.information);
+  if (is_measured(reason)) information += result.weak.without(result.information);
   information += guess.information;
   estimate.covariance = inverse_of(information);
 

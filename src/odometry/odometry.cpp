@@ -38,10 +38,6 @@ void load(FeatureSet& set,
   for (const std::uint32_t i : planars) add_to(sweep.ground[i] == kGround ? set.ground : set.walls, sweep, i);
 }
 
-bool is_usable(HealthReason reason) noexcept {
-  return reason == HealthReason::kNone || reason == HealthReason::kNotObservable;
-}
-
 }  // namespace
 
 OdometryStage::OdometryStage(const OdometryConfig& config,
@@ -125,7 +121,7 @@ void OdometryStage::advance(Sweep& sweep) noexcept {
       registration_.align(sources_, targets_, T_predicted, motion.is_compensated ? 0.0 : motion.period_s);
   const HealthReason reason = judge(result, T_predicted);
 
-  motion.is_registered = is_usable(reason);
+  motion.is_registered = is_measured(reason);
   motion.T_last_this = motion.is_registered ? result.T_target_source : T_predicted;
   if (motion.is_registered) {
     motion.information = result.information;
@@ -159,12 +155,12 @@ void OdometryStage::state(Estimate& estimate,
                           const RegistrationResult& result,
                           HealthReason reason,
                           double period_s) noexcept {
-  predicted_in_a_row_ = is_usable(reason) ? 0 : predicted_in_a_row_ + 1;
+  predicted_in_a_row_ = is_measured(reason) ? 0 : predicted_in_a_row_ + 1;
   estimate.reason = reason;
   estimate.health = reason == HealthReason::kNone ? Health::kOk : Health::kDegraded;
   if (predicted_in_a_row_ >= config_.lost_after) estimate.health = Health::kLost;
   Matrix6d information = registration::predicted_information(period_s, predicted_in_a_row_);
-  if (is_usable(reason)) information += result.information;
+  if (is_measured(reason)) information += result.information;
   estimate.covariance = inverse_of(information);
   estimate.rounds = static_cast<std::uint16_t>(result.rounds);
   estimate.edge_matches = result.edge_matches;

@@ -34,6 +34,11 @@ enum class HealthReason : std::uint8_t {
   kCount
 };
 
+/// Whether the motion was measured, in the directions that can be seen.
+constexpr bool is_measured(HealthReason reason) noexcept {
+  return reason == HealthReason::kNone || reason == HealthReason::kNotObservable;
+}
+
 std::string_view to_string(Health health) noexcept;
 std::string_view to_string(HealthReason reason) noexcept;
 

@@ -4,6 +4,7 @@
 
 #include <vector>
 
+#include "pago/core/stage.hpp"
 #include "pago/ground/segmenter.hpp"
 #include "pago/pipeline/sweep_reader.hpp"
 #include "pago/simulator/labelled_capture.hpp"
@@ -22,13 +23,8 @@ evaluation::GroundSummary score_ground(const Config& config,
   std::vector<evaluation::GroundCounts> frames;
   while (Sweep* const sweep = reader.next()) {
     if (!sweep->header.is_posed()) continue;
-    segmenter->begin(*sweep);
-    segmenter->accept({sweep, sweep->size, sweep->header.num_columns, true});
-    segmenter->finish(*sweep);
-    const auto classes = sweep->label.first(sweep->size);
-    const std::vector<std::uint32_t> truth(classes.begin(), classes.end());
-    frames.push_back(
-        count_ground(protocol, truth, sweep->z_m.first(sweep->size), sweep->ground.first(sweep->size)));
+    process(*segmenter, *sweep);
+    frames.push_back(count_ground(protocol, *sweep));
   }
   return evaluation::summarize_ground(frames);
 }

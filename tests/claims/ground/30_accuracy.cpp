@@ -76,13 +76,11 @@ class Contest {
   }
 
   void run(Sweep& sweep) {
-    const std::vector<std::uint32_t> labels(sweep.label.data(), sweep.label.data() + sweep.size);
     for (GroundComparison& comparison : both_) comparison.frames.push_back(sweep.header.sequence);
     for (std::size_t i = 0; i < segmenters_.size(); ++i) {
       test::segment(*segmenters_[i], sweep);
       for (GroundComparison& comparison : both_)
-        comparison.methods[i].counts.push_back(count_ground(
-            comparison.protocol, labels, sweep.z_m.first(sweep.size), sweep.ground.first(sweep.size)));
+        comparison.methods[i].counts.push_back(count_ground(comparison.protocol, sweep));
     }
   }
 
