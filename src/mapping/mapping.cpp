@@ -8,6 +8,7 @@
 #include "local_map.hpp"
 #include "pago/core/se3.hpp"
 #include "pago/core/symmetric6.hpp"
+#include "pago/core/units.hpp"
 #include "pago/registration/motion_model.hpp"
 
 namespace pago::mapping {
@@ -22,10 +23,6 @@ constexpr std::uint32_t kPruningRound_sweeps = 16;
 constexpr int kMostInsertedStanding = 5;
 /// Longer since the last sweep than this: the motion in between is not what it was.
 constexpr double kGap_s = 0.35;
-
-constexpr double seconds(std::int64_t ns) {
-  return static_cast<double>(ns) * 1e-9;
-}
 
 void load_points(const Sweep& sweep, const FixedVector<std::uint32_t>& list, PointCloud& out) noexcept {
   const std::int64_t reference_ns = sweep.motion.reference_ns - sweep.header.start_ns;
