@@ -11,7 +11,7 @@
 namespace pago::perf {
 
 inline std::uint32_t max_returns(const Config& config) {
-  return static_cast<std::uint32_t>(config.assembly.max_returns);
+  return max_returns_of(config.assembly, /*can_be_dual=*/true);
 }
 
 /// Drives the sweeps through a rig again and again: `prepare(sweep)` is what comes before the stage, and

@@ -103,6 +103,10 @@ PcapWriter::PcapWriter(std::filesystem::path file)
       .native(kSnapLength)
       .native(kLinkEthernet);
   held_size_ = bytes_ = 24;
+  flush();
+  if (complaint_.empty()) return;
+  ::close(descriptor_);
+  throw Error(file_.string(), complaint_.substr(file_.string().size() + 2), "is the disk full?");
 }
 
 PcapWriter::~PcapWriter() {
@@ -113,9 +117,12 @@ PcapWriter::~PcapWriter() {
 void PcapWriter::write(std::span<const std::uint8_t> payload,
                        std::int64_t arrival_ns,
                        const UdpEndpoints& endpoints) noexcept {
-  if (!complaint_.empty()) return;
   if (payload.size() > kMaxPayloadBytes)
-    return complain("a payload of " + std::to_string(payload.size()) + " bytes is too long");
+    complaint_ = file_.string() + ": a payload of " + std::to_string(payload.size()) + " bytes is too long";
+  if (!complaint_.empty()) {
+    ++lost_;
+    return;
+  }
   constexpr std::int64_t kSecond_ns = 1'000'000'000;
   const auto frame_size = static_cast<std::uint32_t>(kHeaders + payload.size());
   std::uint8_t* const record = held_.data() + held_size_;
@@ -127,22 +134,30 @@ void PcapWriter::write(std::span<const std::uint8_t> payload,
   write_frame(record + kRecordHeader, payload, endpoints);
   held_size_ += kRecordHeader + frame_size;
   bytes_ += kRecordHeader + frame_size;
+  ++num_held_;
   ++records_;
   if (held_.size() - held_size_ < kMaxRecord) flush();
 }
 
 void PcapWriter::flush() noexcept {
   std::size_t done = 0;
-  while (done < held_size_ && complaint_.empty()) {
+  while (done < held_size_) {
     const ssize_t got = ::write(descriptor_, held_.data() + done, held_size_ - done);
     if (got > 0) done += static_cast<std::size_t>(got);
-    if (got < 0 && errno != EINTR) complain("cannot be written: " + reason(errno));
+    if (got < 0 && errno != EINTR) return lose_held("cannot be written: " + reason(errno));
   }
-  held_size_ = 0;
+  held_size_ = num_held_ = 0;
 }
 
-void PcapWriter::complain(const std::string& why) noexcept {
-  complaint_ = file_.string() + ": " + why;
+void PcapWriter::lose_held(const std::string& why) noexcept {
+  bytes_ -= held_size_;
+  records_ -= num_held_;
+  lost_ += num_held_;
+  held_size_ = num_held_ = 0;
+  const auto end = static_cast<off_t>(bytes_);
+  if (complaint_.empty()) complaint_ = file_.string() + ": " + why;
+  if (::ftruncate(descriptor_, end) != 0 || ::lseek(descriptor_, end, SEEK_SET) != end)
+    complaint_ += "; it may end inside a record";
 }
 
 }  // namespace pago

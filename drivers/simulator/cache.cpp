@@ -6,6 +6,7 @@
 #include <cstdlib>
 #include <fstream>
 #include <iterator>
+#include <stdexcept>
 #include <system_error>
 
 #include "pago/config/load.hpp"
@@ -80,7 +81,7 @@ fs::path cached_drive(const Config& config,
   if (is_complete) fs::rename(unfinished, folder, fault);
   // Another process may have been faster; its drive is the same.
   if (!is_complete || fault) remove_quietly(unfinished);
-  if (!is_complete) throw Error("simulator", "stopped by a signal");
+  if (!is_complete) throw std::runtime_error("stopped by a signal: the drive is not rendered");
   if (!fs::exists(folder)) throw Error(folder.string(), "cannot be made: " + fault.message());
   return folder;
 }

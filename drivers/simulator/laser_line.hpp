@@ -18,7 +18,7 @@ struct Line {
   Eigen::Vector3d foot, step;
 };
 
-/// The decoder's formulas (hdl64/firing_decoder.hpp) read backwards: the line on which a laser's returns lie
+/// The decoder's formulas (hdl64/packet_decoder.hpp) read backwards: the line on which a laser's returns lie
 /// for a heading, as a function of range (raw distance plus distCorrection), and the raw distance for a point
 /// on it. With a two-point calibration returns below 25 m lie on a line of their own, a few centimetres
 /// beside the first and a little steeper or flatter. Frame `sensor`. [any thread] pure.

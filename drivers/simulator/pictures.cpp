@@ -2,45 +2,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "pictures.hpp"
 
-#include <png.h>
-
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <string>
 
-#include "pago/core/error.hpp"
+#include "pago/output/picture.hpp"
 #include "pago/output/text_file.hpp"
 #include "surface.hpp"
 
 namespace pago::simulator {
 namespace {
 
-using Colour = std::array<std::uint8_t, 3>;
-
-class Picture {
- public:
-  Picture(int width, int height)
-      : width_(width), height_(height), pixels_(static_cast<std::size_t>(width * height)) {}
-
-  void set(int x, int y, const Colour& colour) {
-    if (x >= 0 && x < width_ && y >= 0 && y < height_)
-      pixels_[static_cast<std::size_t>(y * width_ + x)] = colour;
-  }
-  void save(const std::filesystem::path& file) const {
-    png_image image{};
-    image.version = PNG_IMAGE_VERSION;
-    image.width = static_cast<png_uint_32>(width_);
-    image.height = static_cast<png_uint_32>(height_);
-    image.format = PNG_FORMAT_RGB;
-    if (png_image_write_to_file(&image, file.c_str(), 0, pixels_.data(), 0, nullptr) == 0)
-      throw Error(file.string(), std::string("cannot be written: ") + image.message);
-  }
-
- private:
-  int width_, height_;
-  std::vector<Colour> pixels_;
-};
+using output::Colour;
+using output::Picture;
 
 /// As SemanticKITTI's own viewer has them, brighter where the ground is black.
 Colour colour_of(std::uint32_t label) {

@@ -3,6 +3,7 @@
 #include "scan_collector.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <numbers>
 
@@ -35,7 +36,17 @@ void ScanCollector::end() {
   for (std::vector<LabelledPoint>& ring : rings_) ring.clear();
 }
 
+void ScanCollector::decode(const SimulatedPacket& packet) {
+  const double turns = drive_.revolutions(packet.time_ns);
+  const double later = drive_.revolutions(packet.time_ns + hdl64::kPacketPeriod_ns);
+  decoder_.decode(hdl64::PacketView(packet.bytes),
+                  {kTurn_rad * (turns - std::floor(turns)),
+                   kTurn_rad * (later - turns) / (hdl64::kPacketPeriod_ns * 1e-9)},
+                  returns_);
+}
+
 void ScanCollector::add(const SimulatedPacket& packet) {
+  decode(packet);
   for (int firing = 0; firing < hdl64::kFirings; ++firing) {
     const std::int64_t time_ns = packet.time_ns + firing * hdl64::kFiringPeriod_ns;
     const auto scan = static_cast<std::uint64_t>(drive_.revolutions(time_ns) - Head::kStart_rev);
@@ -52,24 +63,19 @@ void ScanCollector::finish(std::uint64_t num_scans) {
 }
 
 void ScanCollector::add_firing(const SimulatedPacket& packet, int firing) {
-  constexpr std::int64_t kStep_ns = 100'000;
   const std::int64_t time_ns = packet.time_ns + firing * hdl64::kFiringPeriod_ns;
-  const double turns = drive_.revolutions(time_ns), later = drive_.revolutions(time_ns + kStep_ns);
-  hdl64::FiringReturns returns;
-  decoder_.decode(hdl64::PacketView(packet.bytes), firing,
-                  {kTurn_rad * (turns - std::floor(turns)), kTurn_rad * (later - turns) / (kStep_ns * 1e-9)},
-                  returns);
+  const hdl64::FiringReturns& returns = returns_.strongest[static_cast<std::size_t>(firing)];
   // Within a firing the vehicle moves by a millimetre at most.
   const Eigen::Isometry3d T_mid_sensor =
       T_mid_world_ * drive_.T_world_sensor(time_ns + hdl64::kFiringPeriod_ns / 2);
-  for (std::size_t i = 0; i < static_cast<std::size_t>(returns.size); ++i) {
-    Eigen::Vector3f p(returns.x_m[i], returns.y_m[i], returns.z_m[i]);
+  for (std::uint64_t left = returns.valid; left != 0; left &= left - 1) {
+    const auto laser = static_cast<std::size_t>(std::countr_zero(left));
+    Eigen::Vector3f p(returns.x_m[laser], returns.y_m[laser], returns.z_m[laser]);
     if (is_compensated_) p = (T_mid_sensor * p.cast<double>()).cast<float>();
-    const auto laser = std::size_t{returns.laser[i]};
     const std::size_t block = 2 * static_cast<std::size_t>(firing) + laser / hdl64::kLasersPerBlock;
     const double turn_rad = std::atan2(double{p.y()}, double{p.x()});
-    rings_[returns.ring[i]].push_back(
-        {p.x(), p.y(), p.z(), static_cast<float>(returns.intensity[i]) / 255.0F,
+    rings_[drive_.calibration().ring_of_laser[laser]].push_back(
+        {p.x(), p.y(), p.z(), static_cast<float>(returns.intensity[laser]) / 255.0F,
          static_cast<float>(turn_rad < 0.0 ? turn_rad + kTurn_rad : turn_rad),
          packet.labels[block * hdl64::kLasersPerBlock + laser % hdl64::kLasersPerBlock]});
   }

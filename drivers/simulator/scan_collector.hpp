@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "pago/config/hdl64.hpp"
-#include "pago/hdl64/firing_decoder.hpp"
+#include "pago/hdl64/packet_decoder.hpp"
 #include "pago/simulator/simulator.hpp"
 
 namespace pago::simulator {
@@ -40,10 +40,12 @@ class ScanCollector {
  private:
   void begin(std::uint64_t scan);
   void end();
+  void decode(const SimulatedPacket& packet);
   void add_firing(const SimulatedPacket& packet, int firing);
 
   const Simulator& drive_;
-  hdl64::FiringDecoder decoder_;
+  hdl64::PacketDecoder decoder_;
+  hdl64::PacketReturns returns_{};
   bool is_compensated_;
   Use use_;
   std::uint64_t scan_ = 0;

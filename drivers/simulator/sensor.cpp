@@ -12,7 +12,7 @@
 namespace pago::simulator {
 namespace {
 
-enum Purpose : std::uint64_t { kBeam = 700, kGain };
+enum : std::uint64_t { kBeam = 700, kGain };
 
 /// Half the width of a beam (2 mrad, S2 manual).
 constexpr double kSpread_rad = 0.001;
@@ -155,7 +155,7 @@ Returns Sensor::sense(Volley& volley, std::size_t i, const RayCaster& scene, con
   return returns_of(setup_.returns, echoes, n, optics_[volley.laser], random);
 }
 
-// The decoder adds the focal correction (hdl64/firing_decoder.cpp); the unit sends what is left without it.
+// The decoder adds the focal correction (hdl64/packet_decoder.cpp); the unit sends what is left without it.
 Slot Sensor::slot_of(std::size_t laser, const Return& from) const noexcept {
   constexpr double kFocalReach_m = 131.0;
   if (!from.is_there) return {};

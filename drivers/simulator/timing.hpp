@@ -2,11 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <array>
 #include <cstdint>
 
-#include "pago/hdl64/firing_decoder.hpp"
-#include "pago/hdl64/packet.hpp"
+#include "pago/hdl64/stream_format.hpp"
 
 namespace pago::simulator {
 
@@ -16,16 +14,11 @@ struct FiringTiming {
   int firings = hdl64::kFirings;  ///< in a packet
 
   std::int64_t packet_period_ns() const noexcept { return period_ns * firings; }
-  std::int32_t laser_ns(int laser) const noexcept {
-    if (firings == hdl64::kFirings) return hdl64::FiringDecoder::laser_time_ns(laser);
-    constexpr std::array<std::int32_t, 4> kInGroup_ns{0, 1300, 2500, 3700};
-    const int slot = laser % hdl64::kLasersPerBlock;
-    return 7200 * (slot / 4) + kInGroup_ns[static_cast<std::size_t>(slot % 4)];
-  }
+  std::int32_t laser_ns(int laser) const noexcept { return hdl64::laser_time_ns(laser, period_ns); }
 };
 
 inline constexpr FiringTiming kSingleReturn{};
 /// S3: each firing takes two pairs of blocks, for its two returns.
-inline constexpr FiringTiming kDualReturn{57'600, 3};
+inline constexpr FiringTiming kDualReturn{hdl64::kFiringPeriodS3_ns, 3};
 
 }  // namespace pago::simulator

@@ -16,6 +16,9 @@ using Action = std::function<int()>;
 
 /// Each adds one subcommand and, when it is chosen, sets `action`.
 void add_run_command(CLI::App& program, Action& action);
+void add_inspect_command(CLI::App& program, Action& action);
+void add_record_command(CLI::App& program, Action& action);
+void add_segment_command(CLI::App& program, Action& action);
 void add_evaluate_command(CLI::App& program, Action& action);
 void add_config_command(CLI::App& program, Action& action);
 void add_play_command(CLI::App& program, Action& action);

@@ -7,6 +7,7 @@
 #include <chrono>
 #include <iostream>
 #include <memory>
+#include <stdexcept>
 
 #include "commands.hpp"
 #include "demo/demo_report.hpp"
@@ -16,8 +17,10 @@
 #include "pago/config/load.hpp"
 #include "pago/core/error.hpp"
 #include "pago/core/text.hpp"
+#include "pago/core/units.hpp"
 #include "pago/output/results_folder.hpp"
 #include "pago/output/run_recorder.hpp"
+#include "pago/pcap/pcap_source.hpp"
 #include "pago/pipeline/pipeline.hpp"
 #include "pago/platform/clock.hpp"
 #include "pago/platform/jitter.hpp"
@@ -92,9 +95,9 @@ std::filesystem::path render(const Config& config) {
 }
 
 std::string latency_row(const char* name, const LatencyHistogram& histogram) {
-  const auto ms = [](std::int64_t ns) { return static_cast<double>(ns) * 1e-6; };
-  return format("  %-34s %8.2f %8.2f %8.2f %8.2f\n", name, ms(histogram.percentile(50)),
-                ms(histogram.percentile(90)), ms(histogram.percentile(99)), ms(histogram.max()));
+  return format("  %-34s %8.2f %8.2f %8.2f %8.2f\n", name, milliseconds(histogram.percentile(50)),
+                milliseconds(histogram.percentile(90)), milliseconds(histogram.percentile(99)),
+                milliseconds(histogram.max()));
 }
 
 /// One line of judgement; true if it holds.
@@ -103,7 +106,17 @@ bool judge(const std::string& what, const std::string& figure, const std::string
   return holds;
 }
 
-bool judge(const DemoAccuracy& accuracy, const evaluation::GroundSummary& ground, const RunSummary& summary) {
+/// Datagrams of a capture, all of which the player sends.
+std::uint64_t count_datagrams(const std::filesystem::path& capture, const PacketFilterConfig& filter) {
+  PcapSource source(capture, filter);
+  while (!source.all_done()) source.receive();
+  return source.counters().delivered;
+}
+
+bool judge(const DemoAccuracy& accuracy,
+           const evaluation::GroundSummary& ground,
+           const RunSummary& summary,
+           std::uint64_t sent) {
   const DemoBounds bounds;
   bool holds = judge("sweeps with a pose", format("%zu of %zu", accuracy.num_poses, accuracy.num_rows),
                      "all, less one at either end", accuracy.num_poses + 2 >= accuracy.num_rows);
@@ -121,6 +134,10 @@ bool judge(const DemoAccuracy& accuracy, const evaluation::GroundSummary& ground
                  summary.sweeps.dropped_total() == 0);
   holds &= judge("datagrams dropped by the kernel", std::to_string(summary.source.kernel_dropped), "0",
                  summary.source.kernel_dropped == 0);
+  holds &= judge("datagrams received or dropped",
+                 std::to_string(summary.source.received + summary.source.kernel_dropped),
+                 std::to_string(sent) + ", as many as were sent",
+                 summary.source.received + summary.source.kernel_dropped == sent);
   holds &= judge("counters", summary.balanced() ? "add up" : "do not add up", "add up", summary.balanced());
   return holds;
 }
@@ -164,13 +181,14 @@ int demo_command(const DemoOptions& options) {
   for (const std::string& thread : summary.threads) std::cout << "thread    " << thread << '\n';
   if (!refusal.empty()) std::cout << "note      " << refusal << '\n';
   if (stop_requested()) return 1;
+  if (player.exit_code() != 0) throw std::runtime_error("the drive could not be played: `pago play` failed");
 
   const std::filesystem::path truth = drive.truth.parent_path() / (drive.truth.stem().string() + "_end.txt");
   const DemoAccuracy accuracy = judge_accuracy(observer.records(), truth.string());
   const evaluation::GroundSummary ground = score_ground(config, calibration, drive.pcap, drive.labels,
                                                         evaluation::GroundProtocol::kPatchworkPlusPlus);
   std::cout << '\n';
-  return judge(accuracy, ground, summary) ? 0 : 1;
+  return judge(accuracy, ground, summary, count_datagrams(drive.pcap, config.packets)) ? 0 : 1;
 }
 
 }  // namespace

@@ -16,6 +16,9 @@ int parse_and_act(int argc, char** argv) {
   program.require_subcommand(0, 1);
   pago::app::Action action;
   pago::app::add_run_command(program, action);
+  pago::app::add_inspect_command(program, action);
+  pago::app::add_record_command(program, action);
+  pago::app::add_segment_command(program, action);
   pago::app::add_evaluate_command(program, action);
   pago::app::add_play_command(program, action);
   pago::app::add_ctl_command(program, action);

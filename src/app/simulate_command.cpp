@@ -57,7 +57,9 @@ int simulate_command(const SimulateOptions& options) {
   }
   const std::uint64_t sweeps = simulator::render(config, options.files, on_progress, stop_flag());
   std::cout << sweeps << " sweeps\n";
-  return 0;
+  if (!stop_requested()) return 0;
+  std::cerr << "pago: stopped by a signal: the drive is shorter than it should be\n";
+  return 1;
 }
 
 }  // namespace

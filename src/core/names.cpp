@@ -22,6 +22,7 @@ std::string_view to_string(HealthReason reason) noexcept {
       "incomplete sweep",
       "time gap",
       "refused scan",
+      "no data",
       "poor fit to the map",
       "local map begun anew",
       "cut short by the deadline"};

@@ -2,23 +2,23 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 // The column test of LeGO-LOAM (Shan and Englot, IROS 2018; groundRemoval in its imageProjection). It has no
-// test of height, so car roofs and hedges pass. Parameters and their sources in config/ground.hpp.
+// test of height, so car roofs and hedges pass. Parameters and their sources in config/ground/lego.hpp.
 //
 // Differs from the authors' code with the `ring` projection: vertical neighbours are returns of neighbouring
 // lasers in one firing, not pixels that several beams share or none meets, and a missing neighbour does not
 // undo what the pair below has said. The `uniform` projection reproduces that code, both traits included.
 #include <cmath>
-#include <numbers>
 
 #include "atan2_turns.hpp"
 #include "column_test.hpp"
 #include "methods.hpp"
+#include "pago/core/units.hpp"
 
 namespace pago::ground {
 namespace {
 
 ColumnTest column_test(const LegoConfig& c, int rows, bool missing_undoes) {
-  const double slope = std::tan(c.max_slope_deg * std::numbers::pi / 180.0);
+  const double slope = std::tan(c.max_slope_deg * kDegree);
   return {.pairs = std::min(c.ground_rings, rows - 1),
           .max_slope_sq = static_cast<float>(slope * slope),
           .min_range_sq_m2 = static_cast<float>(c.min_range_m * c.min_range_m),

@@ -4,11 +4,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "local_map.hpp"
 #include "pago/core/se3.hpp"
 #include "pago/core/symmetric6.hpp"
+#include "pago/core/units.hpp"
 #include "pago/registration/motion_model.hpp"
 
 namespace pago::mapping {
@@ -24,10 +24,6 @@ constexpr int kMostInsertedStanding = 5;
 /// Longer since the last sweep than this: the motion in between is not what it was.
 constexpr double kGap_s = 0.35;
 
-constexpr double seconds(std::int64_t ns) {
-  return static_cast<double>(ns) * 1e-9;
-}
-
 void load_points(const Sweep& sweep, const FixedVector<std::uint32_t>& list, PointCloud& out) noexcept {
   const std::int64_t reference_ns = sweep.motion.reference_ns - sweep.header.start_ns;
   out.size = 0;
@@ -37,10 +33,6 @@ void load_points(const Sweep& sweep, const FixedVector<std::uint32_t>& list, Poi
                                : static_cast<float>(reference_ns - sweep.time_offset_ns[i]) * 1e-9F;
     out.add({sweep.x_m[i], sweep.y_m[i], sweep.z_m[i]}, before_s, sweep.ground[i]);
   }
-}
-
-bool is_usable(HealthReason reason) noexcept {
-  return reason == HealthReason::kNone || reason == HealthReason::kNotObservable;
 }
 
 /// Whether a position is known to worse than half a centimetre in some direction, were errors independent.
@@ -90,7 +82,7 @@ void MappingStage::reset() noexcept {
   T_odom_map_.setIdentity();
   T_map_reference_.setIdentity();
   refined_.twist.setZero(), refined_.acceleration.setZero();
-  is_placed_ = false;
+  is_placed_ = is_elsewhere_ = false;
   predicted_in_a_row_ = unconfirmed_ = inserted_standing_ = 0;
 }
 
@@ -152,6 +144,17 @@ void MappingStage::search(const ScanMotion& motion, Estimate& estimate) noexcept
   refined_.has_motion = true;
 }
 
+namespace {
+
+/// Sweeps that may fail to fit the map after so long a gap that the vehicle may be out of the map's sight.
+constexpr int kPatienceElsewhere = 2;
+
+bool is_unknown(const ScanMotion& motion) noexcept {
+  return motion.is_time_lost || motion.period_s > registration::kLongestPrediction_s;
+}
+
+}  // namespace
+
 void MappingStage::track(const ScanMotion& motion, Sweep& sweep) noexcept {
   const MotionGuess guess = guess_of(motion);
   if (!config_.refine) {
@@ -168,16 +171,18 @@ void MappingStage::track(const ScanMotion& motion, Sweep& sweep) noexcept {
   const bool is_gap = motion.is_time_lost || motion.period_s > kGap_s;
   const bool is_astray =
       trust_.failures() % config_.trust.relocalise_after == config_.trust.relocalise_after - 1;
-  if (is_gap || (!is_usable(reason) && is_astray)) {
+  if (is_gap || (!is_measured(reason) && is_astray)) {
     const JointResult found = relocalise(guess);
     if (trust_.is_usual(found.score) && static_cast<int>(found.matches) >= config_.trust.min_matches) {
       result = found;
       reason = found.weak.count > 0 ? HealthReason::kNotObservable : HealthReason::kNone;
     }
   }
-  adopt(motion, guess, result, is_usable(reason));
+  is_elsewhere_ = !is_measured(reason) && (is_elsewhere_ || is_unknown(motion));
+  adopt(motion, guess, result, is_measured(reason));
   state(motion, guess, result, reason, sweep.estimate);
-  if (trust_.failures() >= config_.trust.restart_after) restart(motion, sweep.estimate);
+  const int patience = is_elsewhere_ ? kPatienceElsewhere : config_.trust.restart_after;
+  if (trust_.failures() >= patience) restart(motion, sweep.estimate);
   if (sweep.header.has(kIncomplete) && sweep.estimate.reason == HealthReason::kNone) {
     sweep.estimate.health = Health::kDegraded;
     sweep.estimate.reason = HealthReason::kIncompleteSweep;
@@ -196,44 +201,6 @@ MotionGuess MappingStage::guess_of(const ScanMotion& motion) const noexcept {
         exp_se3(refined_.twist * std::min(motion.period_s, registration::kLongestPrediction_s));
   }
   return guess;
-}
-
-// Where little is seen, more points of it are worth their time.
-JointResult MappingStage::look_closer(const MotionGuess& guess, const JointResult& result) noexcept {
-  constexpr int kMostIterations = 4;
-  JointLimits limits = trust_.limits();
-  limits.stride = 1 + map_points_.size / (kMaxKeyPoints + 1);
-  limits.T_first = result.T_last_this;
-  limits.max_iterations = std::min(limits.max_iterations, kMostIterations);
-  return registration_.align(map_, map_points_, guess, limits, *budget_);
-}
-
-// Where could it be, if the velocity has changed since the sweep before? Seeds along the way and to its
-// sides, tried on a part of the points; the best is then registered with all of them.
-JointResult MappingStage::relocalise(const MotionGuess& guess) noexcept {
-  constexpr double kAcceleration_m_s2 = 3.0, kLeast_m = 3.0, kMost_m = 15.0, kStep_m = 1.5;
-  constexpr std::array<double, 5> kTurns_deg{0.0, 10.0, -10.0, 20.0, -20.0};
-  constexpr std::size_t kStride = 4;
-  const double period_s = std::max(guess.period_s, 0.1) * (1 + trust_.failures());
-  const double reach_m = std::clamp(0.5 * kAcceleration_m_s2 * period_s * period_s, kLeast_m, kMost_m);
-  const int steps = static_cast<int>(reach_m / kStep_m);
-  MotionGuess seed = guess;
-  seed.information.setZero();
-  seed.twist = refined_.twist;
-  JointResult best;
-  for (const double turn_deg : kTurns_deg) {
-    for (int step = -steps; step <= steps; ++step) {
-      Vector6d offset = Vector6d::Zero();
-      offset[0] = step * kStep_m, offset[5] = turn_deg * std::numbers::pi / 180.0;
-      seed.T_last_this = guess.T_last_this * exp_se3(offset);
-      const JointResult tried = registration_.align(
-          map_, key_points_, seed, {config_.gate_m, config_.start.kernel_m, config_.max_iterations, kStride});
-      if (tried.score > best.score) best = tried;
-    }
-  }
-  seed.T_last_this = best.T_last_this;
-  return registration_.align(map_, key_points_, seed,
-                             {config_.gate_m, config_.kernel_min_m, config_.max_iterations});
 }
 
 void MappingStage::adopt(const ScanMotion& motion,
@@ -262,9 +229,10 @@ void MappingStage::adopt(const ScanMotion& motion,
   is_inserted_ = usable && inserted_standing_ <= kMostInsertedStanding;
 }
 
-// The acceleration is that of half a second or so: the difference of two velocities is mostly noise.
+// The acceleration is that of the last few sweeps: where a sweep is reported at its end, one that lags costs
+// more than its noise does.
 void MappingStage::move_to(const Eigen::Isometry3d& T_map_this, double period_s) noexcept {
-  constexpr double kSmoothing = 0.2;
+  constexpr double kSmoothing = 0.7;
   Vector6d twist = log_se3(T_map_reference_.inverse() * T_map_this) / period_s;
   if (standstill_.is_still()) twist.setZero(), refined_.acceleration.setZero();
   if (phase_ == Phase::kTracking)
@@ -280,6 +248,7 @@ void MappingStage::restart(const ScanMotion& motion, Estimate& estimate) noexcep
   map_.clear();
   trust_.restart();
   standstill_.reset();
+  is_elsewhere_ = false;
   estimate.health = Health::kLost;
   estimate.reason = HealthReason::kMapRestarted;
   is_inserted_ = motion.is_registered;
@@ -303,11 +272,11 @@ void MappingStage::state(const ScanMotion& motion,
   estimate.map_score = static_cast<float>(result.score);
 
   Matrix6d information = registration::predicted_information(motion.period_s, unconfirmed_);
-  if (is_usable(reason)) information += result.weak.without(result.information);
+  if (is_measured(reason)) information += result.weak.without(result.information);
   information += guess.information;
   estimate.covariance = inverse_of(information);
 
-  if (reason == HealthReason::kNone && motion.is_time_lost) reason = HealthReason::kTimeGap;
+  if (reason == HealthReason::kNone && is_unknown(motion)) reason = HealthReason::kTimeGap;
   if (reason == HealthReason::kNone && result.is_cut) reason = HealthReason::kCutShort;
   estimate.reason = reason;
   estimate.health = reason == HealthReason::kNone ? Health::kOk : Health::kDegraded;

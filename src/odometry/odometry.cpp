@@ -4,10 +4,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "pago/core/se3.hpp"
 #include "pago/core/symmetric6.hpp"
+#include "pago/core/units.hpp"
 #include "pago/registration/motion_model.hpp"
 
 namespace pago::odometry {
@@ -18,10 +18,6 @@ constexpr std::size_t kMaxSources = kNumRings * 6 * 20;
 constexpr double kNominalSweep_s = 0.1;
 /// Longer without a sweep: the sensor's clock began anew, more likely than not.
 constexpr double kLongestGap_s = 10.0;
-
-constexpr double seconds(std::int64_t ns) {
-  return static_cast<double>(ns) * 1e-9;
-}
 
 void add_to(PointCloud& cloud, const Sweep& sweep, std::uint32_t i) noexcept {
   const std::int64_t before_ns = sweep.motion.reference_ns - sweep.header.start_ns - sweep.time_offset_ns[i];
@@ -36,10 +32,6 @@ void load(FeatureSet& set,
   set.edges.size = set.ground.size = set.walls.size = 0;
   for (const std::uint32_t i : edges) add_to(set.edges, sweep, i);
   for (const std::uint32_t i : planars) add_to(sweep.ground[i] == kGround ? set.ground : set.walls, sweep, i);
-}
-
-bool is_usable(HealthReason reason) noexcept {
-  return reason == HealthReason::kNone || reason == HealthReason::kNotObservable;
 }
 
 }  // namespace
@@ -125,7 +117,7 @@ void OdometryStage::advance(Sweep& sweep) noexcept {
       registration_.align(sources_, targets_, T_predicted, motion.is_compensated ? 0.0 : motion.period_s);
   const HealthReason reason = judge(result, T_predicted);
 
-  motion.is_registered = is_usable(reason);
+  motion.is_registered = is_measured(reason);
   motion.T_last_this = motion.is_registered ? result.T_target_source : T_predicted;
   if (motion.is_registered) {
     motion.information = result.information;
@@ -149,7 +141,7 @@ HealthReason OdometryStage::judge(const RegistrationResult& result,
   }
   const Vector6d correction = difference(T_predicted, result.T_target_source);
   if (correction.head<3>().norm() > config_.max_correction_m ||
-      correction.tail<3>().norm() > config_.max_correction_deg * std::numbers::pi / 180.0) {
+      correction.tail<3>().norm() > config_.max_correction_deg * kDegree) {
     return HealthReason::kImplausibleMotion;
   }
   return result.weak.count > 0 ? HealthReason::kNotObservable : HealthReason::kNone;
@@ -159,12 +151,12 @@ void OdometryStage::state(Estimate& estimate,
                           const RegistrationResult& result,
                           HealthReason reason,
                           double period_s) noexcept {
-  predicted_in_a_row_ = is_usable(reason) ? 0 : predicted_in_a_row_ + 1;
+  predicted_in_a_row_ = is_measured(reason) ? 0 : predicted_in_a_row_ + 1;
   estimate.reason = reason;
   estimate.health = reason == HealthReason::kNone ? Health::kOk : Health::kDegraded;
   if (predicted_in_a_row_ >= config_.lost_after) estimate.health = Health::kLost;
   Matrix6d information = registration::predicted_information(period_s, predicted_in_a_row_);
-  if (is_usable(reason)) information += result.information;
+  if (is_measured(reason)) information += result.information;
   estimate.covariance = inverse_of(information);
   estimate.rounds = static_cast<std::uint16_t>(result.rounds);
   estimate.edge_matches = result.edge_matches;

@@ -47,12 +47,15 @@ Decisions read_decisions(const std::filesystem::path& run_json) {
     throw Error(name, "is no run.json of PaGO", "give the run.json of a live run");
   try {
     if (!found->at("complete").get<bool>())
-      throw Error(name, "has more decisions than were kept",
-                  "a run so overloaded cannot be replayed as recorded");
+      throw Error(
+          name, "does not know all that the clock decided",
+          "a run that was saved before its end, or whose files miss sweeps, cannot be replayed as recorded");
     Decisions decisions;
     found->at("superseded").get_to(decisions.superseded);
     found->at("unmet").get_to(decisions.unmet);
     found->at("resets").get_to(decisions.resets);
+    if (const auto trajectory = json.find("trajectory"); trajectory != json.end())
+      trajectory->at("hash").get_to(decisions.hash);
     return decisions;
   } catch (const nlohmann::json::exception& error) {
     throw Error(name, std::string("its decisions are damaged: ") + error.what());

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <nlohmann/json.hpp>
 
+#include "pago/core/units.hpp"
 #include "pago/output/run_report.hpp"
 
 namespace pago::output {
@@ -9,17 +10,13 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-double ms(std::int64_t ns) {
-  return static_cast<double>(ns) * 1e-6;
-}
-
 Json json_of(const LatencyHistogram& histogram) {
   const LatencySummary s = summarize(histogram);
   return {{"count", s.count},
-          {"p50", ms(s.p50_ns)},
-          {"p90", ms(s.p90_ns)},
-          {"p99", ms(s.p99_ns)},
-          {"max", ms(s.max_ns)}};
+          {"p50", milliseconds(s.p50_ns)},
+          {"p90", milliseconds(s.p90_ns)},
+          {"p99", milliseconds(s.p99_ns)},
+          {"max", milliseconds(s.max_ns)}};
 }
 
 Json json_of(const LatencyReport& latency) {
@@ -50,18 +47,17 @@ Json json_of(const PacketCounters& c) {
   Json bad;
   for (std::size_t i = 1; i < c.bad.size(); ++i)
     bad[std::string(to_string(static_cast<PacketFault>(i)))] = c.bad[i];
-  return {{"received", c.received},
-          {"decoded", c.decoded},
-          {"duplicate", c.duplicate},
-          {"late", c.late},
-          {"bad", bad},
-          {"reordered", c.reordered},
-          {"pending", c.pending},
-          {"balanced", c.balanced()}};
+  return {{"received", c.received},   {"decoded", c.decoded},   {"duplicate", c.duplicate},
+          {"late", c.late},           {"filtered", c.filtered}, {"bad", bad},
+          {"reordered", c.reordered}, {"pending", c.pending},   {"balanced", c.balanced()}};
 }
 
 Json json_of(const FiringCounters& c) {
-  return {{"expected", c.expected}, {"decoded", c.decoded}, {"lost", c.lost}, {"balanced", c.balanced()}};
+  return {{"expected", c.expected},
+          {"decoded", c.decoded},
+          {"lost", c.lost},
+          {"blind", c.blind},
+          {"balanced", c.balanced()}};
 }
 
 Json json_of(const SweepCounters& c) {
@@ -98,9 +94,10 @@ Json facts_of(const RunReport& report) {
   return facts;
 }
 
-Json json_of(const DecisionLog& log) {
+/// Complete once the run is over and nothing of it was missed.
+Json json_of(const DecisionLog& log, const RunReport& report) {
   const Decisions& d = log.decisions();
-  return {{"complete", log.is_complete()},
+  return {{"complete", log.is_complete() && report.requests && report.unrecorded == 0},
           {"superseded", d.superseded},
           {"unmet", d.unmet},
           {"resets", d.resets}};
@@ -125,8 +122,9 @@ std::string run_json(const RunReport& report, const RunTotals& totals, const Dec
                      {"packets", json_of(report.packets)},
                      {"firings", json_of(report.firings)},
                      {"self_hits", report.self_hits},
+                     {"unrecorded", report.unrecorded},
                      {"datagrams", json_of(report.source_counters)},
-                     {"decisions", json_of(decisions)},
+                     {"decisions", json_of(decisions, report)},
                      {"latency_ms", json_of(totals.latency)},
                      {"config", report.config_toml}};
   // Paths need not be UTF-8.

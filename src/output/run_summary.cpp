@@ -3,14 +3,11 @@
 #include <cinttypes>
 
 #include "pago/core/text.hpp"
+#include "pago/core/units.hpp"
 #include "pago/output/run_report.hpp"
 
 namespace pago::output {
 namespace {
-
-double ms(std::int64_t ns) {
-  return static_cast<double>(ns) * 1e-6;
-}
 
 /// ", 3 bad (2 size, 1 stamp)": the sum, and each cause that occurred.
 template <typename Cause, std::size_t N>
@@ -67,7 +64,8 @@ std::string trajectory(const RunTotals& totals) {
 }
 
 std::string columns(const LatencySummary& s) {
-  return format(" %8.2f %8.2f %8.2f %8.2f", ms(s.p50_ns), ms(s.p90_ns), ms(s.p99_ns), ms(s.max_ns));
+  return format(" %8.2f %8.2f %8.2f %8.2f", milliseconds(s.p50_ns), milliseconds(s.p90_ns),
+                milliseconds(s.p99_ns), milliseconds(s.max_ns));
 }
 
 std::string latency(const LatencyReport& report) {

@@ -56,6 +56,7 @@ SweepRecord make_record(const Sweep& sweep) noexcept {
   SweepRecord record;
   record.header = sweep.header;
   copy_estimate(sweep.estimate, record);
+  record.stamp_ns += sweep.header.clock_offset_ns;
   record.times = sweep.times;
   record.num_returns = sweep.size;
   record.num_ground = count_ground(sweep);

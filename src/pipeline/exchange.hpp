@@ -4,6 +4,7 @@
 
 #include "pago/assembly/sweep_exchange.hpp"
 #include "pago/assembly/sweep_ring.hpp"
+#include "pago/core/sources.hpp"
 #include "pago/pipeline/pipeline.hpp"
 #include "pago/platform/clock.hpp"
 #include "runner.hpp"
@@ -34,8 +35,12 @@ class RingExchange final : public SweepExchange {
     return sweep;
   }
 
+  /// Sweeps are labelled before they are handed on in full, if the source can.
+  void label_by(const PacketSource& source) noexcept { labeller_ = source.has_labels() ? &source : nullptr; }
+
   void hand_on(const SweepPart& part) noexcept override {
     if (part.last) {
+      if (labeller_ != nullptr) labeller_->label(*part.sweep);
       stamp(*part.sweep);
       parts_.backlog.arrived();
     }
@@ -62,6 +67,7 @@ class RingExchange final : public SweepExchange {
   Link<SweepPart>& parts_;
   bool is_live_;
   Recorded unmet_;
+  const PacketSource* labeller_ = nullptr;
   std::uint64_t requests_ = 0;
   std::int64_t cpu_before_ns_ = 0;  // of this thread, when the last sweep was handed on
 };

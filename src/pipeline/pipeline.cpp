@@ -12,7 +12,7 @@
 #include "pago/core/error.hpp"
 #include "pago/core/seqlock.hpp"
 #include "pago/features/features.hpp"
-#include "pago/ground/segmenter.hpp"
+#include "pago/ground/ground_stage.hpp"
 #include "pago/mapping/mapping.hpp"
 #include "pago/odometry/odometry.hpp"
 #include "pago/pipeline/timed.hpp"
@@ -26,9 +26,9 @@ struct Pipeline::Parts {
       : config(c),
         pace(p),
         decisions(std::move(d)),
-        max_returns(static_cast<std::uint32_t>(c.assembly.max_returns)),
+        max_returns(max_returns_of(c.assembly, /*can_be_dual=*/true)),
         ring(static_cast<std::size_t>(c.assembly.ring_size), max_returns),
-        segmenter(ground::make_segmenter(c.ground, c.mount, max_returns)),
+        segmenter(c.ground, c.mount, max_returns),
         extractor(c.features, max_returns),
         mapper(c.mapping),
         odometer(c.odometry, max_returns, mapper.refined()),
@@ -47,12 +47,13 @@ struct Pipeline::Parts {
   //              └──────────────────── freed sweeps <════════════════════┘
   template <typename Ingest>
   void flow(Ingest ingest, Observer& observer, RunSummary& summary) {
-    Timed ground(StageId::kGround, *segmenter);
+    Timed ground(StageId::kGround, segmenter);
     Timed features(StageId::kFeatures, extractor);
     Timed odometry(StageId::kOdometry, odometer);
     PublishPose first_pose(output::PoseKind::kFirst, pose_maker, board ? &*board : nullptr, outlet);
     PublishPose refined_pose(output::PoseKind::kRefined, pose_maker, board ? &*board : nullptr, outlet);
-    Chain front(ground, features);
+    PublishMount mount_verdict(segmenter, verdict);
+    Chain front(ground, features, mount_verdict);
     Timed mapping(StageId::kMapping, mapper);
     Update next_targets(odometer);
     Update next_map(mapper);
@@ -93,6 +94,7 @@ struct Pipeline::Parts {
       summary.threads.push_back(platform::describe(thread->plan(), thread->grant()));
     }
     publish(observer);
+    summary.mount = segmenter.mount_report();
     summary.sweeps.posed = fates.posed;
     summary.sweeps.partial = fates.partial;
     summary.sweeps.dropped[static_cast<std::size_t>(SweepDrop::kSuperseded)] = fates.dropped_total();
@@ -121,6 +123,7 @@ struct Pipeline::Parts {
   void publish(Observer& observer) {
     std::exception_ptr thrown;
     News item;
+    ground::MountReport mount;
     while (true) {
       const bool has_news = news.pop_wait(item, kTick_ns);
       if (has_news && item.kind == News::Kind::kEnd) break;
@@ -128,6 +131,8 @@ struct Pipeline::Parts {
       try {
         if (has_news && item.kind == News::Kind::kPose) observer.on_pose(item.pose);
         if (has_news && item.kind == News::Kind::kSweep) observer.on_sweep(item.record);
+        if (mount.finding == ground::MountFinding::kPending && verdict.try_load(mount))
+          observer.on_mount(mount);
         if (IngestStatus now; status.try_load(now)) observer.on_status(now);
       } catch (...) {
         thrown = std::current_exception();
@@ -147,7 +152,7 @@ struct Pipeline::Parts {
   output::Decisions decisions;  // of the recorded run that is repeated
   std::uint32_t max_returns;
   SweepRing ring;
-  std::unique_ptr<ground::Segmenter> segmenter;
+  ground::GroundStage segmenter;
   features::FeaturesStage extractor;
   mapping::MappingStage mapper;
   odometry::OdometryStage odometer;
@@ -160,6 +165,7 @@ struct Pipeline::Parts {
   platform::Channel<Sweep*> freed;
   platform::Channel<News> news{256};
   Seqlock<IngestStatus> status;
+  Seqlock<ground::MountReport> verdict;
   RingExchange exchange{ring, freed, parts, pace, Recorded(decisions.unmet)};
   Outlet outlet{news, /*waits=*/pace == Pace::kReplay};
   SweepCounters fates;  // of the sweeps that came through
@@ -190,8 +196,14 @@ IngestStatus status_of(const PacketSource& source,
           .sweeps = ingest.sweeps(),
           .last_delivery_ns = last_delivery_ns,
           .rotation_hz = ingest.rotation_hz(),
+          .clock_drift_ppm = ingest.clock_offset().drift_ppm(),
+          .said = ingest.status().status(),
+          .other_sender = ingest.packets().filtered > 0 ? ingest.sender().other_ipv4() : 0,
           .sensor = ingest.sensor(),
-          .is_refused = ingest.is_refused()};
+          .is_refused = ingest.is_refused(),
+          .is_calibration_wrong =
+              ingest.calibration_difference() && ingest.calibration_difference()->is_other_unit(),
+          .is_view_limited = ingest.is_view_limited()};
 }
 
 void note(RunSummary& summary, const PacketSource& source, const PacketIngest& ingest) {
@@ -217,6 +229,7 @@ RunSummary Pipeline::run(PacketSource& source,
   Parts& p = *parts_;
   PacketIngest ingest(p.config.assembly, p.config.hdl64, calibration, p.exchange,
                       SelfFilter(p.config.vehicle, p.config.mount));
+  p.exchange.label_by(source);
   LiveWatch watch;
   RunSummary summary;
   p.flow(

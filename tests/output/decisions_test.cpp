@@ -48,11 +48,25 @@ TEST_CASE("what the clock decided is read off the sweeps", "[output][decisions]"
 TEST_CASE("decisions are written to run.json and read back", "[output][decisions]") {
   const test::ScratchFolder scratch;
   const auto file = scratch.path / "run.json";
-  std::ofstream(file) << run_json({}, {}, example());
+  RunReport report;
+  report.requests = 9;
+  std::ofstream(file) << run_json(report, {}, example());
   const Decisions read = read_decisions(file);
   CHECK(read.superseded == example().decisions().superseded);
   CHECK(read.unmet == example().decisions().unmet);
   CHECK(read.resets == example().decisions().resets);
+}
+
+TEST_CASE("a run that goes on, or whose files miss sweeps, cannot be repeated", "[output][decisions]") {
+  const test::ScratchFolder scratch;
+  const auto file = scratch.path / "run.json";
+  RunReport report;
+  std::ofstream(file) << run_json(report, {}, example());
+  CHECK_THROWS_WITH(read_decisions(file), Catch::Contains("saved before its end"));
+  report.requests = 9;
+  report.unrecorded = 1;
+  std::ofstream(file) << run_json(report, {}, example());
+  CHECK_THROWS_WITH(read_decisions(file), Catch::Contains("miss sweeps"));
 }
 
 TEST_CASE("a log with too many decisions says so, and is refused", "[output][decisions]") {
@@ -62,7 +76,7 @@ TEST_CASE("a log with too many decisions says so, and is refused", "[output][dec
   const test::ScratchFolder scratch;
   const auto file = scratch.path / "run.json";
   std::ofstream(file) << run_json({}, {}, log);
-  CHECK_THROWS_WITH(read_decisions(file), Catch::Contains("more decisions than were kept"));
+  CHECK_THROWS_WITH(read_decisions(file), Catch::Contains("does not know all"));
 }
 
 TEST_CASE("what is no run.json is refused in words", "[output][decisions]") {

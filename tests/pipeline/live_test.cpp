@@ -96,7 +96,13 @@ TEST_CASE("a live run that keeps up gives the bytes of a replay, and each pose t
     CHECK(std::memcmp(&live.records[i].T_odom_sensor_refined, &replay.records[i].T_odom_sensor_refined,
                       sizeof(output::PoseRow)) == 0);
   }
-  REQUIRE(live.poses.size() == 2 * summary.sweeps.posed);
+  // When the stream ends in a sweep the last pose is told again, as lost.
+  REQUIRE(live.poses.size() == 2 * (summary.sweeps.posed + 1));
+  for (int i = 0; i < 2; ++i) {
+    CHECK(live.poses.back().health == PAGO_HEALTH_LOST);
+    CHECK(live.poses.back().sequence == live.poses[live.poses.size() - 3].sequence);
+    live.poses.pop_back();
+  }
   CHECK(replay.poses.empty());
   for (std::size_t i = 0; i < live.poses.size(); ++i) {
     CHECK(live.poses[i].kind == (i % 2 == 0 ? PAGO_POSE_FIRST : PAGO_POSE_REFINED));

@@ -20,7 +20,9 @@ struct Collector final : Observer {
     if (records.size() == throw_at) throw std::runtime_error("disk on fire");
     if (records.size() == stop_at) stop = true;
   }
+  void on_mount(const ground::MountReport& report) override { mounts.push_back(report); }
   std::vector<output::SweepRecord> records;
+  std::vector<ground::MountReport> mounts;
   std::size_t throw_at = 0, stop_at = 0;
   std::atomic<bool> stop{false};
 };
@@ -111,6 +113,19 @@ TEST_CASE("packets of a drive come out as its trajectory", "[pipeline]") {
   REQUIRE(poses == 5);
   REQUIRE((T_last.translation() - exp_se3(travelled).translation()).norm() < 0.12);
   REQUIRE(log_se3(T_last)[5] == Approx(0.04).margin(0.01));
+}
+
+TEST_CASE("the verdict on the mount is told once, and stands in the summary", "[pipeline]") {
+  Config config = small_config();
+  config.ground.mount_check.sweeps = 2;
+  config.mount.height_m = 2.4;
+  Collector collector;
+  const RunSummary summary = drive(config, collector);
+  CHECK(summary.mount.finding == ground::MountFinding::kWrongHeight);
+  CHECK(summary.mount.height_m == Approx(1.73).margin(0.05));
+  REQUIRE(collector.mounts.size() == 1);
+  CHECK(collector.mounts[0].finding == summary.mount.finding);
+  CHECK(collector.mounts[0].height_m == summary.mount.height_m);
 }
 
 TEST_CASE("every stage says how long it took on each sweep, in order", "[pipeline]") {

@@ -79,7 +79,7 @@ TEST_CASE("a calibration counts by what is in it", "[simulator][cache]") {
 
 TEST_CASE("a drive that was stopped leaves nothing behind", "[simulator][cache]") {
   Cache cache;
-  REQUIRE_THROWS_AS(cache.get(tiny_drive(), true), Error);
+  REQUIRE_THROWS_AS(cache.get(tiny_drive(), true), std::runtime_error);
   CHECK(cache.entries() == 0);
 }
 

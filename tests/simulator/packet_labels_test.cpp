@@ -5,7 +5,7 @@
 #include <fstream>
 
 #include "pago/core/error.hpp"
-#include "pago/hdl64/firing_decoder.hpp"
+#include "pago/hdl64/stream_format.hpp"
 #include "pago/simulator/unit.hpp"
 #include "support/catch.hpp"
 #include "support/temporary_path.hpp"
@@ -39,8 +39,7 @@ void fill(Sweep& sweep, const hdl64::Calibration& unit, int packets, std::int64_
     for (int firing = 0; firing < 6; ++firing) {
       for (int laser = 0; laser < 64; ++laser) {
         sweep.ring[sweep.size] = unit.ring_of_laser[static_cast<std::size_t>(laser)];
-        sweep.time_offset_ns[sweep.size++] =
-            number * 288'000 + firing * 48'000 + hdl64::FiringDecoder::laser_time_ns(laser);
+        sweep.time_offset_ns[sweep.size++] = number * 288'000 + firing * 48'000 + hdl64::laser_time_ns(laser);
       }
     }
   }

@@ -52,7 +52,7 @@ TEST_CASE("velocity and acceleration have no jumps at the control poses", "[simu
   const Trajectory trajectory(poses, 0.1);
   const double h = 1e-4;
   const auto velocity = [&](double t) {
-    return difference(trajectory.pose(t - h), trajectory.pose(t + h)) / (2 * h);
+    return Vector6d(difference(trajectory.pose(t - h), trajectory.pose(t + h)) / (2 * h));
   };
   const auto acceleration = [&](double t) { return Vector6d((velocity(t + h) - velocity(t - h)) / (2 * h)); };
   for (int knot = 2; knot < 10; ++knot) {

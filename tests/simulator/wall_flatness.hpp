@@ -3,9 +3,11 @@
 #pragma once
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <numbers>
 
+#include "pago/hdl64/packet_decoder.hpp"
 #include "wall_scene.hpp"
 
 namespace pago::test {
@@ -14,22 +16,24 @@ namespace pago::test {
 /// head's true azimuth.
 template <typename Use>
 void decode_all(WallScene& wall, Use use) {
-  const hdl64::FiringDecoder decoder(simulator::made_up_unit(), 0.9, 120.0);
-  hdl64::FiringReturns returns;
+  hdl64::PacketDecoder decoder(simulator::made_up_unit(), 0.9, 120.0);
+  hdl64::PacketReturns returns{};
   for (const simulator::SimulatedPacket& packet : wall.packets()) {
+    const double start_s = static_cast<double>(packet.time_ns - WallScene::kStart_ns) * 1e-9;
+    const simulator::Head& head = wall.sensor.head();
+    decoder.decode(
+        hdl64::PacketView(packet.bytes),
+        {2 * std::numbers::pi * head.revolutions(start_s), 2 * std::numbers::pi * head.rate_rev_s(start_s)},
+        returns);
     for (int firing = 0; firing < hdl64::kFirings; ++firing) {
-      const double t_s = static_cast<double>(packet.time_ns - WallScene::kStart_ns + firing * 48'000) * 1e-9;
-      const simulator::Head& head = wall.sensor.head();
-      decoder.decode(
-          hdl64::PacketView(packet.bytes), firing,
-          {2 * std::numbers::pi * head.revolutions(t_s), 2 * std::numbers::pi * head.rate_rev_s(t_s)},
-          returns);
-      for (std::size_t i = 0; i < static_cast<std::size_t>(returns.size); ++i) {
-        const int laser = returns.laser[i];
+      const double t_s = start_s + firing * 48e-6;
+      const hdl64::FiringReturns& of_firing = returns.strongest[static_cast<std::size_t>(firing)];
+      for (std::uint64_t left = of_firing.valid; left != 0; left &= left - 1) {
+        const int laser = std::countr_zero(left);
+        const auto i = static_cast<std::size_t>(laser);
         const auto slot = static_cast<std::size_t>((2 * firing + laser / 32) * 32 + laser % 32);
-        use(Eigen::Vector3d(returns.x_m[i], returns.y_m[i], returns.z_m[i]),
-            t_s + hdl64::FiringDecoder::laser_time_ns(laser) * 1e-9,
-            static_cast<simulator::Label>(packet.labels[slot]));
+        use(Eigen::Vector3d(of_firing.x_m[i], of_firing.y_m[i], of_firing.z_m[i]),
+            t_s + hdl64::laser_time_ns(laser) * 1e-9, static_cast<simulator::Label>(packet.labels[slot]));
       }
     }
   }

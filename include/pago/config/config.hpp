@@ -23,7 +23,9 @@ struct Config {
   Mount mount;
   VehicleConfig vehicle;
   PacketFilterConfig packets;
+  CaptureConfig capture;
   UdpConfig udp;
+  RecordConfig record;
   KittiConfig kitti;
   Hdl64Config hdl64;
   AssemblyConfig assembly;
@@ -43,7 +45,9 @@ void describe(Visitor& v, Config& c) {
   v.section("mount", c.mount, "how the sensor sits on the vehicle");
   v.section("vehicle", c.vehicle, "the vehicle's own body, whose returns are left out");
   v.section("packets", c.packets, "which datagrams of a socket or a capture are the sensor's");
+  v.section("capture", c.capture, "which part of a capture is used");
   v.section("udp", c.udp, "how a live sensor's socket is read");
+  v.section("record", c.record, "a live sensor's datagrams, kept in captures");
   v.section("kitti", c.kitti, "how a folder of KITTI scans is read");
   v.section("hdl64", c.hdl64, "the sensor: its calibration, and how its packets are read");
   v.section("assembly", c.assembly, "packets into sweeps");

@@ -27,11 +27,17 @@ enum class HealthReason : std::uint8_t {
   kIncompleteSweep,    ///< part of the rotation is missing (lost packets, overfull sweep)
   kTimeGap,            ///< sensor time went back or stood still: the motion is unknown
   kRefusedScan,        ///< Odometry was given a scan that it cannot use
+  kNoData,             ///< the sensor has fallen silent: the last pose, told again
   kPoorFit,            ///< the sweep fits the local map much worse than those before it
   kMapRestarted,       ///< the local map was lost and begun anew: the pose went on by prediction in between
   kCutShort,           ///< the deadline ended the refinement before it came to rest
   kCount
 };
+
+/// Whether the motion was measured, in the directions that can be seen.
+constexpr bool is_measured(HealthReason reason) noexcept {
+  return reason == HealthReason::kNone || reason == HealthReason::kNotObservable;
+}
 
 std::string_view to_string(Health health) noexcept;
 std::string_view to_string(HealthReason reason) noexcept;

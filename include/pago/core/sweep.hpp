@@ -41,6 +41,9 @@ struct SweepHeader {
       0;  ///< which of the assembler's requests for an empty sweep it was given for, from 1
   std::int64_t start_ns = 0;  ///< sensor time of the first firing, ns since the Unix epoch
   std::int64_t end_ns = 0;    ///< sensor time of the end of the last firing
+  /// What to add to sensor time for the time of day (hdl64/clock_offset.hpp). Differences of sensor times are
+  /// exact; this one follows the host's clock, and steps when that is set. 0 where GPS keeps the sensor's.
+  std::int64_t clock_offset_ns = 0;
   std::int64_t first_arrival_ns = 0, last_arrival_ns = 0;  ///< host arrival of its first and last packet
   std::int64_t closed_ns = 0;  ///< monotonic clock when the assembler handed it on
   /// Monotonic clock when its last packet arrived, as well as the host's clock tells (last_arrival_ns); in a
@@ -48,12 +51,21 @@ struct SweepHeader {
   std::int64_t complete_ns = 0;
   std::uint32_t num_columns = 0;  ///< firings in the rotation = used columns of the range image
   std::uint32_t firings_received = 0, firings_lost = 0;
-  std::uint32_t packets_bad = 0;  ///< malformed datagrams that arrived while it was filled
-  float rotation_rev = 0.0F;      ///< how far the head turned, in revolutions: 1 for a whole sweep
-  std::uint32_t flags = 0;        ///< SweepFlag bits
+  std::uint32_t firings_blind = 0;  ///< never sent: the sensor's field of view is limited
+  std::uint32_t packets_bad = 0;    ///< malformed datagrams that arrived while it was filled
+  float rotation_rev = 0.0F;        ///< how far the head turned, in revolutions: 1 for a whole sweep
+  std::uint32_t flags = 0;          ///< SweepFlag bits
 
   bool has(SweepFlag flag) const noexcept { return (flags & flag) != 0; }
   bool is_posed() const noexcept { return (flags & (kPartialStart | kPartialEnd | kSuperseded)) == 0; }
+};
+
+/// What a return is among those that one laser had of one firing; bits of Sweep::echo. 0 is the strongest and
+/// the last in one: a laser's only return, and all of a sensor in single-return mode.
+enum Echo : std::uint8_t {
+  kNotLast = 1U << 0,  ///< a farther return was weaker
+  kNotStrongest =
+      1U << 1  ///< dual return only: a stronger return came with it, and has their range image's cell
 };
 
 /// Ground mask values.
@@ -121,6 +133,7 @@ struct Sweep {
         z_m(max_returns),
         intensity(max_returns),
         ring(max_returns),
+        echo(max_returns),
         column(max_returns),
         time_offset_ns(max_returns),
         label(max_returns),
@@ -139,11 +152,13 @@ struct Sweep {
 
   SweepHeader header;
 
-  // --- assembler: returns in arrival order, [0, size)
+  // --- assembler: returns in arrival order, [0, size). Dual return: a firing's strongest first, then what
+  // its lasers saw besides. The range image holds the strongest only, so what works on it sees nothing twice.
   std::uint32_t size = 0;
   AlignedArray<float> x_m, y_m, z_m;
   AlignedArray<std::uint8_t> intensity;
   AlignedArray<std::uint8_t> ring;  ///< 0 lowest, by this unit's vertical angles
+  AlignedArray<std::uint8_t> echo;  ///< Echo bits
   AlignedArray<std::uint16_t> column;
   AlignedArray<std::int32_t> time_offset_ns;  ///< firing time after header.start_ns
   RangeImage range_image;

@@ -78,6 +78,7 @@ class MappingStage {
   bool is_placed_ = false;
   int predicted_in_a_row_ = 0;  // neither the map nor the last sweep told the motion
   int unconfirmed_ = 0;         // sweeps in a row with a direction that nothing measured
+  bool is_elsewhere_ = false;   // since a long gap nothing fits the map
   bool is_inserted_ = false;    // the present sweep belongs into the map
   int inserted_standing_ = 0;
 };

@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <string>
 #include <vector>
 
 #include "pago/output/sweep_record.hpp"
@@ -17,6 +18,8 @@ struct Decisions {
   std::vector<std::uint64_t> unmet;   ///< which of the assembler's requests for an empty sweep, from 1, were
                                       ///< not met because none was free
   std::vector<std::uint64_t> resets;  ///< sweeps ahead of which odometry began anew
+
+  std::string hash;  ///< of the live run's poses (see TrajectoryHash), to be found again; empty: not known
 
   bool empty() const noexcept { return superseded.empty() && unmet.empty() && resets.empty(); }
 };

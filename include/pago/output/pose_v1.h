@@ -29,7 +29,7 @@ struct pago_pose_v1 {
   uint8_t reason; /* of a health other than OK; words: pago::HealthReason */
   uint8_t reserved;
   uint64_t sequence;       /* of the sweep: counts rotations of the head, also those without a pose */
-  int64_t stamp_ns;        /* the instant that the pose holds for: sensor time, ns since the Unix epoch */
+  int64_t stamp_ns;        /* the instant that the pose holds for: time of day, ns since the Unix epoch */
   int64_t last_arrival_ns; /* when the sweep's last packet reached this host: CLOCK_REALTIME */
   int64_t published_ns;    /* when this was written: CLOCK_REALTIME */
   char frame_id[16];       /* the frame that the pose is given in: "odom" (REP-105) */

@@ -24,7 +24,7 @@ Eigen::Isometry3d to_isometry(const PoseRow& row) noexcept;
 struct SweepRecord {
   SweepHeader header;
 
-  std::int64_t stamp_ns = 0;
+  std::int64_t stamp_ns = 0;  ///< time of day: the estimate's sensor time and header.clock_offset_ns
   PoseRow T_odom_sensor_front_end = kIdentityRow;
   PoseRow T_odom_sensor_first = kIdentityRow;
   PoseRow T_odom_sensor_refined = kIdentityRow;

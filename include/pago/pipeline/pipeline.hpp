@@ -10,6 +10,7 @@
 #include "pago/config/config.hpp"
 #include "pago/core/counters.hpp"
 #include "pago/core/sources.hpp"
+#include "pago/ground/mount_report.hpp"
 #include "pago/hdl64/calibration.hpp"
 #include "pago/output/decisions.hpp"
 #include "pago/output/pose_board.hpp"
@@ -38,6 +39,8 @@ class Observer {
   virtual void on_sweep(const output::SweepRecord& record) = 0;
   /// Live runs: a pose was published (first and refined, for each sweep that has one).
   virtual void on_pose(const output::PoseV1&) {}
+  /// Once, when the first sweeps have shown whether the ground is where the mount has it.
+  virtual void on_mount(const ground::MountReport&) {}
   /// After each of the above, and at least ten times a second while nothing comes.
   virtual void on_status(const IngestStatus&) {}
 };
@@ -55,6 +58,7 @@ struct RunSummary {
   std::uint64_t unrecorded = 0;  ///< live: sweeps and poses that the observer was too slow for
   std::string sensor;            ///< what the stream came from, e.g. "HDL-64E S2/S3, single return"
   std::vector<std::string> threads;  ///< what each thread asked for and got
+  ground::MountReport mount;         ///< whether the ground was where the mount says
   std::string complaint;             ///< the source's own words if it ended early; what came before was used
   std::string failure;               ///< why the run could not be completed; empty if it was
   bool interrupted = false;

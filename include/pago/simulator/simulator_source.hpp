@@ -28,6 +28,8 @@ class SimulatorSource final : public PacketSource {
   Progress progress() const noexcept override;
   /// Rendering that broke off: memory ran out, say.
   std::string complaint() const override { return complaint_; }
+  bool has_labels() const noexcept override { return true; }
+  void label(Sweep& sweep) const noexcept override { labels_.label(sweep, simulator_.calibration()); }
 
   /// The calibration to decode with.
   const hdl64::Calibration& calibration() const noexcept { return simulator_.calibration(); }

@@ -11,6 +11,7 @@
 #include <unistd.h>
 
 #include <csignal>
+#include <cstdint>
 #include <ctime>
 #include <new>
 
@@ -22,12 +23,11 @@ namespace pago::app {
 
 namespace {
 
-/// A slot's newest pose, noted once.
-void note(const pago_pose_slot_v1& slot, std::uint64_t& last_version, LatencyHistogram& latency) {
+/// A sweep's pose, noted once.
+void note(const pago_pose_slot_v1& slot, std::uint64_t& last_sequence, LatencyHistogram& latency) {
   pago_pose_v1 pose;
-  const std::uint64_t version = __atomic_load_n(&slot.version, __ATOMIC_ACQUIRE);
-  if (version == last_version || pago_read_pose_v1(&slot, &pose) == 0) return;
-  last_version = version;
+  if (pago_read_pose_v1(&slot, &pose) == 0 || pose.sequence == last_sequence) return;
+  last_sequence = pose.sequence;
   latency.record(platform::realtime_ns() - pose.last_arrival_ns);
 }
 
@@ -62,11 +62,11 @@ void PoseWitness::watch(const std::string& name, Seen& seen) {
       fd < 0 ? MAP_FAILED : mmap(nullptr, sizeof(pago_pose_board_v1), PROT_READ, MAP_SHARED, fd, 0);
   if (memory == MAP_FAILED) _exit(1);
   const auto& board = *static_cast<const pago_pose_board_v1*>(memory);
-  std::uint64_t first_version = 0, refined_version = 0;
+  std::uint64_t last_first = UINT64_MAX, last_refined = UINT64_MAX;
   while (__atomic_load_n(&board.magic, __ATOMIC_ACQUIRE) == PAGO_POSE_V1) {
     const std::uint32_t news = __atomic_load_n(&board.news, __ATOMIC_ACQUIRE);
-    note(board.first, first_version, seen.first);
-    note(board.refined, refined_version, seen.refined);
+    note(board.first, last_first, seen.first);
+    note(board.refined, last_refined, seen.refined);
     constexpr timespec kAtMost{.tv_sec = 0, .tv_nsec = 100'000'000};
     syscall(SYS_futex, &board.news, FUTEX_WAIT, news, &kAtMost, nullptr, 0);
   }

@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The PaGO authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "pago/hdl64/firing_decoder.hpp"
+#include "pago/hdl64/packet_decoder.hpp"
 
+#include <bit>
 #include <cmath>
 
 #include "support/catch.hpp"
@@ -22,23 +23,33 @@ Calibration ideal_unit() {
   return calibration;
 }
 
-/// The first return of a firing that has this one return only.
+PacketReturns decode(const Calibration& calibration,
+                     const PacketBuilder& builder,
+                     const Rotation& rotation,
+                     double min_range_m = 0.9) {
+  PacketReturns out{};
+  PacketDecoder(calibration, min_range_m, 120.0).decode(builder.view(), rotation, out);
+  return out;
+}
+
+/// A laser's return in a packet that has this one return only.
 struct Point {
   int size = 0;
   double x = 0, y = 0, z = 0;
-  int intensity = 0, ring = 0, laser = 0;
+  int intensity = 0;
 };
 Point decode_one(
     const Calibration& calibration, int laser, int raw, double azimuth_rad, int intensity = 100) {
   const PacketBuilder builder = PacketBuilder().slot(2, laser, raw, intensity);
-  FiringReturns out;
-  FiringDecoder(calibration, 0.9, 120.0).decode(builder.view(), 2, {azimuth_rad, 0.0}, out);
-  return {out.size, out.x_m[0], out.y_m[0], out.z_m[0], out.intensity[0], out.ring[0], out.laser[0]};
+  const FiringReturns out = decode(calibration, builder, {azimuth_rad, 0.0}).strongest[2];
+  const auto i = static_cast<std::size_t>(laser);
+  CHECK((out.valid & ~(std::uint64_t{1} << laser)) == 0);
+  return {std::popcount(out.valid), out.x_m[i], out.y_m[i], out.z_m[i], out.intensity[i]};
 }
 
 }  // namespace
 
-TEST_CASE("the encoder counts clockwise from straight ahead", "[hdl64][firing_decoder]") {
+TEST_CASE("the encoder counts clockwise from straight ahead", "[hdl64][packet_decoder]") {
   const Point ahead = decode_one(ideal_unit(), 0, 5000, 0.0);
   CHECK(ahead.size == 1);
   CHECK(ahead.x == Approx(10.0));
@@ -49,7 +60,7 @@ TEST_CASE("the encoder counts clockwise from straight ahead", "[hdl64][firing_de
   CHECK(right.y == Approx(-10.0));
 }
 
-TEST_CASE("a positive rotation correction turns left", "[hdl64][firing_decoder]") {
+TEST_CASE("a positive rotation correction turns left", "[hdl64][packet_decoder]") {
   Calibration unit = ideal_unit();
   unit.lasers[7].rotation_rad = 30.0 * kDegree;
   const Point point = decode_one(unit, 7, 5000, 0.0);
@@ -57,7 +68,7 @@ TEST_CASE("a positive rotation correction turns left", "[hdl64][firing_decoder]"
   CHECK(point.y == Approx(5.0));
 }
 
-TEST_CASE("each correction moves the point where the manual says", "[hdl64][firing_decoder]") {
+TEST_CASE("each correction moves the point where the manual says", "[hdl64][packet_decoder]") {
   Calibration unit = ideal_unit();
   LaserCalibration& laser = unit.lasers[40];
   laser.distance_m = laser.distance_x_m = laser.distance_y_m = 1.5;
@@ -78,7 +89,7 @@ TEST_CASE("each correction moves the point where the manual says", "[hdl64][firi
 }
 
 TEST_CASE("near points are corrected by the near figures, far ones by the far one",
-          "[hdl64][firing_decoder]") {
+          "[hdl64][packet_decoder]") {
   Calibration unit = ideal_unit();
   unit.lasers[3].distance_m = 1.00;
   unit.lasers[3].distance_x_m = 1.03;
@@ -94,32 +105,24 @@ TEST_CASE("near points are corrected by the near figures, far ones by the far on
   CHECK(decode_one(unit, 3, 49500, 0.0).x == Approx(100.0));
 }
 
-TEST_CASE("lasers fire in groups of four every 6 us, both blocks together", "[hdl64][firing_decoder]") {
-  CHECK(FiringDecoder::laser_time_ns(0) == 0);
-  CHECK(FiringDecoder::laser_time_ns(1) == 1260);
-  CHECK(FiringDecoder::laser_time_ns(2) == 2460);
-  CHECK(FiringDecoder::laser_time_ns(3) == 3660);
-  CHECK(FiringDecoder::laser_time_ns(4) == 6000);
-  CHECK(FiringDecoder::laser_time_ns(31) == 45660);
-  for (int laser = 0; laser < 32; ++laser)
-    CHECK(FiringDecoder::laser_time_ns(laser) == FiringDecoder::laser_time_ns(laser + 32));
-}
-
-TEST_CASE("each laser sees the azimuth of its own firing time", "[hdl64][firing_decoder]") {
+TEST_CASE("each laser of each firing sees the azimuth of its own time", "[hdl64][packet_decoder]") {
   const PacketBuilder builder = PacketBuilder().fill(50000);
   const double rate = 2.0 * 3.14159265358979 * 20.0;
-  FiringReturns out;
-  FiringDecoder(ideal_unit(), 0.9, 120.0).decode(builder.view(), 5, {1.0, rate}, out);
-  REQUIRE(out.size == 64);
-  for (std::size_t laser = 0; laser < 64; ++laser) {
-    const double azimuth = 1.0 + rate * FiringDecoder::laser_time_ns(static_cast<int>(laser)) * 1e-9;
-    CHECK(out.x_m[laser] == Approx(100.0 * std::cos(azimuth)).margin(5e-5));
-    CHECK(out.y_m[laser] == Approx(-100.0 * std::sin(azimuth)).margin(5e-5));
+  const PacketReturns out = decode(ideal_unit(), builder, {1.0, rate});
+  for (std::size_t firing = 0; firing < kFirings; ++firing) {
+    REQUIRE(out.strongest[firing].valid == ~std::uint64_t{0});
+    for (std::size_t laser = 0; laser < kLasers; ++laser) {
+      const double after_s =
+          static_cast<double>(firing) * 48e-6 + laser_time_ns(static_cast<int>(laser)) * 1e-9;
+      const double azimuth = 1.0 + rate * after_s;
+      CHECK(out.strongest[firing].x_m[laser] == Approx(100.0 * std::cos(azimuth)).margin(5e-5));
+      CHECK(out.strongest[firing].y_m[laser] == Approx(-100.0 * std::sin(azimuth)).margin(5e-5));
+    }
   }
 }
 
 TEST_CASE("returns are kept from the minimum to the maximum range, both included",
-          "[hdl64][firing_decoder]") {
+          "[hdl64][packet_decoder]") {
   Calibration unit = ideal_unit();
   unit.lasers[9].distance_m = 0.5;
   CHECK(decode_one(unit, 9, 199, 0.0).size == 0);    // 0.898 m
@@ -129,41 +132,36 @@ TEST_CASE("returns are kept from the minimum to the maximum range, both included
   CHECK(decode_one(unit, 9, 65535, 0.0).size == 0);
 }
 
-TEST_CASE("no return is never a point, whatever the correction", "[hdl64][firing_decoder]") {
+TEST_CASE("no return is never a point, whatever the correction", "[hdl64][packet_decoder]") {
   Calibration unit = ideal_unit();
   for (LaserCalibration& laser : unit.lasers) laser.distance_m = 2.0;
-  FiringReturns out;
-  FiringDecoder(unit, 0.0, 120.0).decode(PacketBuilder().view(), 0, {}, out);
-  CHECK(out.size == 0);
+  const PacketReturns out = decode(unit, PacketBuilder(), {}, 0.0);
+  for (std::size_t firing = 0; firing < kFirings; ++firing) CHECK(out.strongest[firing].valid == 0);
 }
 
-TEST_CASE("a disabled laser gives no points", "[hdl64][firing_decoder]") {
+TEST_CASE("a disabled laser gives no points", "[hdl64][packet_decoder]") {
   Calibration unit = ideal_unit();
   unit.lasers[20].enabled = false;
-  FiringReturns out;
   const PacketBuilder builder = PacketBuilder().fill(4000);
-  FiringDecoder(unit, 0.9, 120.0).decode(builder.view(), 0, {}, out);
-  REQUIRE(out.size == 63);
-  CHECK(out.laser[19] == 19);
-  CHECK(out.laser[20] == 21);
+  CHECK(decode(unit, builder, {}).strongest[0].valid == ~(std::uint64_t{1} << 20));
 }
 
-TEST_CASE("returns stay in laser order with their own intensity and ring", "[hdl64][firing_decoder]") {
+TEST_CASE("each return has its own place and intensity", "[hdl64][packet_decoder]") {
   const PacketBuilder builder =
       PacketBuilder().slot(4, 60, 700, 6).slot(4, 2, 500, 1).slot(4, 31, 600, 255).slot(3, 10, 800, 9);
-  FiringReturns out;
-  FiringDecoder(ideal_unit(), 0.9, 120.0).decode(builder.view(), 4, {}, out);
-  REQUIRE(out.size == 3);
-  const std::array<int, 3> laser{2, 31, 60}, intensity{1, 255, 6};
+  const PacketReturns out = decode(ideal_unit(), builder, {});
+  CHECK(out.strongest[3].valid == std::uint64_t{1} << 10);
+  const FiringReturns& firing = out.strongest[4];
+  CHECK(firing.valid == (std::uint64_t{1} << 2 | std::uint64_t{1} << 31 | std::uint64_t{1} << 60));
+  const std::array<std::size_t, 3> laser{2, 31, 60};
+  const std::array<int, 3> intensity{1, 255, 6};
   for (std::size_t i = 0; i < 3; ++i) {
-    CHECK(out.laser[i] == laser[i]);
-    CHECK(out.ring[i] == 63 - laser[i]);
-    CHECK(out.intensity[i] == intensity[i]);
-    CHECK(out.x_m[i] == Approx(1.0 + 0.2 * static_cast<double>(i)));
+    CHECK(firing.intensity[laser[i]] == intensity[i]);
+    CHECK(firing.x_m[laser[i]] == Approx(1.0 + 0.2 * static_cast<double>(i)));
   }
 }
 
-TEST_CASE("intensity follows the focal figures within the laser's limits", "[hdl64][firing_decoder]") {
+TEST_CASE("intensity follows the focal figures within the laser's limits", "[hdl64][packet_decoder]") {
   Calibration unit = ideal_unit();
   unit.lasers[0].min_intensity = 50;  // no slope anywhere: what the sensor says passes
   CHECK(decode_one(unit, 0, 5000, 0.0, 10).intensity == 10);
@@ -174,4 +172,41 @@ TEST_CASE("intensity follows the focal figures within the laser's limits", "[hdl
   CHECK(decode_one(unit, 0, 5000, 0.0, 10).intensity == 50);
   unit.lasers[0].max_intensity = 70;
   CHECK(decode_one(unit, 0, 5000, 0.0, 60).intensity == 70);
+}
+
+TEST_CASE("raw distances of power level A0 lose the bits that are laser power", "[hdl64][packet_decoder]") {
+  const PacketBuilder builder = PacketBuilder().slot(0, 5, 5007, 33);
+  PacketDecoder decoder(ideal_unit(), 0.9, 120.0);
+  PacketReturns out{};
+  decoder.set_power_level(PowerLevel::kRaw);
+  decoder.decode(builder.view(), {}, out);
+  CHECK(out.strongest[0].x_m[5] == Approx(10.0));  // 5000 of 2 mm
+  CHECK(out.strongest[0].intensity[5] == 33);
+  decoder.set_power_level(PowerLevel::kPlain);
+  decoder.decode(builder.view(), {}, out);
+  CHECK(out.strongest[0].x_m[5] == Approx(10.014));
+}
+
+TEST_CASE("a return of which A0 leaves nothing is none", "[hdl64][packet_decoder]") {
+  Calibration unit = ideal_unit();
+  unit.lasers[5].distance_m = 1.0;
+  PacketDecoder decoder(unit, 0.9, 120.0);
+  PacketReturns out{};
+  decoder.set_power_level(PowerLevel::kRaw);
+  decoder.decode(PacketBuilder().slot(0, 5, 7).view(), {}, out);
+  CHECK(out.strongest[0].valid == 0);
+}
+
+TEST_CASE("intensities that the sensor corrected itself pass as they are", "[hdl64][packet_decoder]") {
+  Calibration unit = ideal_unit();
+  unit.lasers[0].focal_slope = 1.0;
+  unit.lasers[0].focal_distance_m = 13.1;
+  const PacketBuilder builder = PacketBuilder().slot(0, 0, 5000, 60);
+  PacketDecoder decoder(unit, 0.9, 120.0);
+  PacketReturns out{};
+  for (const auto& [level, expected] : {std::pair{PowerLevel::kCorrected, 60}, {PowerLevel::kPlain, 71}}) {
+    decoder.set_power_level(level);
+    decoder.decode(builder.view(), {}, out);
+    CHECK(out.strongest[0].intensity[0] == expected);
+  }
 }
