@@ -53,6 +53,7 @@ class DemoObserver final : public Observer {
     records_.push_back(record);
     line_.count(record);
   }
+  void on_map_sweep(const output::MapSweep& sweep) override { recorder_.add(sweep); }
   void on_status(const IngestStatus& status) override {
     line_.show({std::chrono::duration<double>(Clock::now() - start_).count(), seconds_});
     const bool is_silent = stream_state(status, platform::monotonic_ns()) != StreamState::kRunning;

@@ -50,6 +50,7 @@ MappingStage::MappingStage(const MappingConfig& config)
       registration_(config, kMaxKeyPoints),
       start_(config),
       trust_(config),
+      keyframes_(config.keyframes),
       key_points_(kMaxKeyPoints),
       map_points_(kMaxMapPoints),
       dense_(kMaxDensePoints) {}
@@ -77,6 +78,7 @@ void MappingStage::reset() noexcept {
   map_.clear();
   trust_.restart();
   standstill_.reset();
+  keyframes_.reset();
   phase_ = Phase::kEmpty;
   refined_ = {};
   T_odom_map_.setIdentity();
@@ -294,6 +296,8 @@ void MappingStage::report(const ScanMotion& motion, Estimate& estimate) noexcept
   }
   refined_.is_placed = true;
   refined_.T_odom_reference = T_odom_map_ * T_map_reference_;
+  const bool belongs_to_map = is_inserted_ || (phase_ == Phase::kTracking && !config_.refine);
+  estimate.is_keyframe = belongs_to_map && keyframes_.take(refined_.T_odom_reference);
   const double reported_s = seconds(motion.reported_ns - motion.reference_ns);
   estimate.twist = refined_.twist_at(reported_s);
   estimate.T_odom_sensor_refined =

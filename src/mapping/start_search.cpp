@@ -14,7 +14,6 @@
 namespace pago::mapping {
 
 using registration::CellMap;
-using registration::Deskew;
 using registration::PointCloud;
 
 namespace {

@@ -63,6 +63,12 @@ std::string trajectory(const RunTotals& totals) {
   return text + "\n";
 }
 
+std::string map(const RunTotals& totals) {
+  if (totals.num_keyframes == 0) return {};
+  return format("map       %" PRIu64 " points of %" PRIu64 " keyframes\n", totals.num_map_points,
+                totals.num_keyframes);
+}
+
 std::string columns(const LatencySummary& s) {
   return format(" %8.2f %8.2f %8.2f %8.2f", milliseconds(s.p50_ns), milliseconds(s.p90_ns),
                 milliseconds(s.p99_ns), milliseconds(s.max_ns));
@@ -90,7 +96,8 @@ std::string latency(const LatencyReport& report) {
 std::string run_summary(const RunReport& report,
                         const RunTotals& totals,
                         const std::filesystem::path& folder) {
-  std::string text = sweeps(report.sweeps) + packets(report) + trajectory(totals) + latency(totals.latency);
+  std::string text =
+      sweeps(report.sweeps) + packets(report) + trajectory(totals) + map(totals) + latency(totals.latency);
   if (!report.complaint.empty()) text += "problem   " + report.complaint + "\n";
   return text + "files     " + folder.string() + "\n";
 }

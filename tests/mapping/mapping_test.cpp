@@ -108,6 +108,24 @@ TEST_CASE("where nothing is found again a new map is begun, and it is said", "[m
   REQUIRE(drive.sweep.estimate.health == Health::kOk);
 }
 
+TEST_CASE("sweeps far enough from the last keyframe become keyframes, once the map fits",
+          "[mapping][stage]") {
+  StreetDrive drive;
+  std::vector<Eigen::Isometry3d> keyframes;
+  for (int i = 0; i < 30; ++i) {
+    const Estimate& estimate = drive.next(forward(4.0));
+    if (!estimate.is_keyframe) continue;
+    REQUIRE(estimate.health == Health::kOk);
+    keyframes.push_back(drive.refined());
+  }
+  REQUIRE(keyframes.size() >= 6);
+  for (std::size_t i = 1; i < keyframes.size(); ++i) {
+    const double apart_m = (keyframes[i - 1].inverse() * keyframes[i]).translation().norm();
+    CHECK(apart_m > 0.99);
+    CHECK(apart_m < 1.45);  // 0.4 m per sweep
+  }
+}
+
 TEST_CASE("partial sweeps get no pose and leave no trace", "[mapping][stage]") {
   StreetDrive drive;
   Sweep partial(test::kStreetReturns);

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "pago/core/stage.hpp"
+#include "pago/mapping/keyframes.hpp"
 #include "pago/mapping/standstill.hpp"
 #include "pago/mapping/start_search.hpp"
 #include "pago/mapping/trust.hpp"
@@ -65,6 +66,7 @@ class MappingStage {
   StartSearch start_;
   Trust trust_;
   Standstill standstill_;
+  Keyframes keyframes_;
   registration::PointCloud key_points_, map_points_, dense_;
 
   Phase phase_ = Phase::kEmpty;
