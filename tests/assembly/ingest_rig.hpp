@@ -39,6 +39,8 @@ struct IngestRig {
     check_identities();
   }
   void check_identities() const {
+    // After each packet: an assertion every time would take longer than the packet.
+    if (ingest.packets().balanced() && ingest.firings().balanced() && ingest.sweeps().balanced()) return;
     REQUIRE(ingest.packets().balanced());
     REQUIRE(ingest.firings().balanced());
     REQUIRE(ingest.sweeps().balanced());
