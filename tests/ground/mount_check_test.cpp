@@ -131,9 +131,9 @@ TEST_CASE("axes in another order are noticed, and the estimate mends them", "[gr
 TEST_CASE("no plane, no ground", "[ground][mount_check]") {
   Scene clutter;
   std::mt19937 random(3);
-  std::uniform_real_distribution<double> place(-8.0, 8.0), size(0.05, 0.4);
-  for (int i = 0; i < 100; ++i) {
-    const Eigen::Vector3d at(place(random), place(random), 0.2 * place(random)),
+  std::uniform_real_distribution<double> place(-15.0, 15.0), size(0.05, 0.4);
+  for (int i = 0; i < 400; ++i) {
+    const Eigen::Vector3d at(place(random), place(random), 0.1 * place(random)),
         half(size(random), size(random), size(random));
     clutter.box(at - half, at + half);
   }
