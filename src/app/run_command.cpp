@@ -90,6 +90,10 @@ Prepared prepare(const RunOptions& options, Config& config) {
   if (packets == nullptr && options.is_realtime)
     throw Error(options.source, "holds scans, which cannot be replayed in real time",
                 "--realtime is for captures of packets");
+  if (packets == nullptr && (options.part.is_given() || !options.calibration.empty()))
+    throw Error(
+        options.source, "holds scans",
+        "--start, --duration and --calibration are for packets; kitti.first and kitti.count choose scans");
   run.is_live = packets != nullptr && (packets->is_live || options.is_realtime);
   if (!run.is_live && !config.record.file.empty())
     throw Error(config.record.file, "cannot be recorded: the source is not live",
@@ -172,6 +176,7 @@ int run_command(const RunOptions& options) {
 
   output::RunReport report =
       report_of(summary, options.source, config, run.packets() != nullptr, seconds_since(start));
+  report.is_live = run.is_live;
   const PcapRecorder* const recorded = run.outlets.packets.get();
   if (recorded != nullptr) report.facts.emplace_back("recorded", recording_fact(*recorded));
   recorder->finish(report);

@@ -74,12 +74,8 @@ std::string RunRecorder::save_trace() {
 
 void RunRecorder::write_at_end(const char* name, const std::string& text) {
   try {
-    // Under another name first: a report that is replaced is there all the time, whole.
-    const std::filesystem::path file = folder_ / name, unfinished = folder_ / (std::string(name) + ".new");
-    write_file(unfinished, text);
-    std::error_code fault;
-    std::filesystem::rename(unfinished, file, fault);
-    if (fault) throw Error(file.string(), "cannot be replaced: " + fault.message());
+    replace_file(folder_ / name,
+                 [&](const std::filesystem::path& unfinished) { write_file(unfinished, text); });
   } catch (const Error& error) {
     end_complaints_.emplace_back(error.what());
   }
