@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 // Two live sensors at once over loopback UDP, an S2.1 and an S3 in dual-return mode, each at its own rate,
-// for 10 minutes (or as many seconds as the argument says). Each is received on a port of its own, with
-// ordinary scheduling, by a thread that is stopped for 100 ms every second: nothing may be lost, and
+// for 10 minutes (or as many seconds as the argument says). Each is received on a port of its own, at the
+// priority of a live run, by a thread that is stopped for 100 ms every second: nothing may be lost, and
 // receiving, decoding and assembly may take 5 % of a core. The bytes are the synthetic captures' again and
 // again, with stamps and azimuths that go on.
 #include <array>
@@ -17,7 +17,9 @@
 
 #include "pago/assembly/packet_ingest.hpp"
 #include "pago/assembly/sweep_ring.hpp"
+#include "pago/config/pipeline.hpp"
 #include "pago/platform/clock.hpp"
+#include "pago/platform/thread.hpp"
 #include "pago/udp/udp_sender.hpp"
 #include "pago/udp/udp_source.hpp"
 #include "support/capture.hpp"
@@ -122,6 +124,7 @@ Received receive(UdpSource& source, const hdl64::Calibration& unit, const std::a
 
 struct Outcome {
   std::uint64_t sent = 0;
+  int priority = 0;  // of the receiving thread, as granted
   Received received;
 };
 
@@ -129,7 +132,10 @@ void run_sensor(const Sensor& sensor, std::int64_t duration_ns, Outcome& outcome
   const auto unit = hdl64::load_calibration(recording(sensor.calibration), VerticalOffset::kVertical);
   UdpSource source({"127.0.0.1", 0});
   std::atomic<bool> stop{false};
-  std::thread receiver([&] { outcome.received = receive(source, unit, stop); });
+  const ThreadConfig live = PipelineConfig{}.ingest;
+  platform::Thread receiver({.name = "ingest", .fifo_priority = live.fifo_priority},
+                            [&] { outcome.received = receive(source, unit, stop); });
+  outcome.priority = receiver.grant().fifo_priority;
   outcome.sent = send(sensor, source.port(), duration_ns);
   stop = true;
   receiver.join();
@@ -139,6 +145,7 @@ void tell(Report& report, const Sensor& sensor, const Outcome& outcome, double d
   const std::string name = "load " + sensor.name + ": ";
   const Received& r = outcome.received;
   report.shown(name + "stalls of 100 ms", std::to_string(r.stalls));
+  report.shown(name + "priority of the receiving thread", std::to_string(outcome.priority));
   const double rate_s = 1e9 / static_cast<double>(sensor.packet_period_ns);
   report.at_least(name + "packets sent per second", static_cast<double>(outcome.sent) / duration_s,
                   0.99 * rate_s, "");
