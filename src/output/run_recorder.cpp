@@ -15,6 +15,7 @@ RunRecorder::RunRecorder(const std::filesystem::path& folder,
       next_flush_(Clock::now() + flush_interval_),
       first_(folder, "odometry"),
       refined_(folder, "trajectory"),
+      poses_(folder / "poses.csv"),
       latency_(folder / "latency.csv"),
       trace_(static_cast<std::size_t>(config.trace_sweeps), threads) {}
 
@@ -26,6 +27,7 @@ void RunRecorder::add(const SweepRecord& record) {
   if (record.has_pose) {
     first_.write(record.stamp_ns, record.T_odom_sensor_first);
     refined_.write(record.stamp_ns, record.T_odom_sensor_refined);
+    poses_.write(record);
   }
   if (Clock::now() >= next_flush_) flush();
 }
@@ -33,6 +35,7 @@ void RunRecorder::add(const SweepRecord& record) {
 void RunRecorder::flush() noexcept {
   first_.flush();
   refined_.flush();
+  poses_.flush();
   latency_.flush();
   next_flush_ = Clock::now() + flush_interval_;
 }
@@ -62,7 +65,8 @@ void RunRecorder::write_at_end(const char* name, const std::string& text) {
 
 std::vector<std::string> RunRecorder::complaints() const {
   std::vector<std::string> complaints;
-  for (const std::string& complaint : {first_.complaint(), refined_.complaint(), latency_.complaint()})
+  for (const std::string& complaint :
+       {first_.complaint(), refined_.complaint(), poses_.complaint(), latency_.complaint()})
     if (!complaint.empty()) complaints.push_back(complaint);
   complaints.insert(complaints.end(), end_complaints_.begin(), end_complaints_.end());
   return complaints;

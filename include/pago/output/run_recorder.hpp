@@ -9,6 +9,7 @@
 
 #include "pago/config/output.hpp"
 #include "pago/output/latency.hpp"
+#include "pago/output/pose_csv.hpp"
 #include "pago/output/run_report.hpp"
 #include "pago/output/trace.hpp"
 #include "pago/output/trajectory_writer.hpp"
@@ -18,6 +19,7 @@ namespace pago::output {
 /// The files of one run, written as it goes on:
 ///   odometry.tum, .kitti     first poses, one per sweep that has a pose
 ///   trajectory.tum, .kitti   refined poses, the same sweeps
+///   poses.csv                health and covariance, the same sweeps
 ///   latency.csv              every sweep
 ///   trace.json, run.json     at the end
 /// [publisher thread] all of it; blocks on the disk. A full disk never ends a run: see complaints().
@@ -55,6 +57,7 @@ class RunRecorder {
   Clock::duration flush_interval_;
   Clock::time_point next_flush_;
   TrajectoryWriter first_, refined_;
+  PoseCsv poses_;
   LatencyCsv latency_;
   Trace trace_;
   std::uint64_t newest_sequence_ = 0;
