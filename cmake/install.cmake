@@ -9,6 +9,8 @@ set(packages
   Eigen3::Eigen "Eigen3 3.4"
   Threads::Threads "Threads"
   Ceres::ceres "Ceres"
+  embree "embree 3"
+  PNG::PNG "PNG"
   spdlog::spdlog "spdlog"
   pugixml::pugixml "pugixml"
   yaml-cpp "yaml-cpp"

@@ -1,8 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The PaGO authors
 // SPDX-License-Identifier: BSD-3-Clause
+#include <bit>
 #include <numbers>
 
-#include "pago/hdl64/firing_decoder.hpp"
+#include "pago/hdl64/packet_decoder.hpp"
 #include "stage_timer.hpp"
 #include "stages.hpp"
 
@@ -10,27 +11,23 @@ namespace pago::perf {
 
 namespace {
 
-/// All returns of a packet, each firing at its header's azimuth.
-int decode(const hdl64::FiringDecoder& decoder, const Datagram& datagram, hdl64::FiringReturns& returns) {
+/// All returns of a packet, from its first header's azimuth on.
+int decode(hdl64::PacketDecoder& decoder, const Datagram& datagram, hdl64::PacketReturns& returns) {
   if (hdl64::check_packet(datagram.payload) != PacketFault::kNone) return 0;
   const hdl64::PacketView packet(datagram.payload.first<hdl64::kPacketBytes>());
   constexpr double kRad_per_cdeg = std::numbers::pi / 18'000.0;
   constexpr double kRate_rad_s = 2.0 * std::numbers::pi * 10.0;
-  int size = 0;
-  for (int firing = 0; firing < hdl64::kFirings; ++firing) {
-    decoder.decode(packet, firing, {packet.azimuth_cdeg(firing) * kRad_per_cdeg, kRate_rad_s}, returns);
-    benchmark::DoNotOptimize(&returns);
-    benchmark::ClobberMemory();
-    size += returns.size;
-  }
-  return size;
+  decoder.decode(packet, {packet.azimuth_cdeg(0) * kRad_per_cdeg, kRate_rad_s}, returns);
+  benchmark::DoNotOptimize(&returns);
+  benchmark::ClobberMemory();
+  return std::popcount(returns.strongest[0].valid);
 }
 
 /// As many packets at a time as make a sweep.
 void measure_decode(benchmark::State& state, const Drive& drive) {
   const Hdl64Config& config = drive.config.hdl64;
-  const hdl64::FiringDecoder decoder(drive.calibration, config.min_range_m, config.max_range_m);
-  hdl64::FiringReturns returns{};
+  hdl64::PacketDecoder decoder(drive.calibration, config.min_range_m, config.max_range_m);
+  hdl64::PacketReturns returns{};
   StageTimer timer(state, drive);
   const std::size_t batch = drive.datagrams.size() / drive.num_sweeps;
   std::size_t packets = 0;

@@ -10,7 +10,6 @@
 #include "percentile.hpp"
 #include "pinned.hpp"
 #include "queues.hpp"
-#include "sleep_until.hpp"
 
 namespace pago::perf {
 
@@ -37,7 +36,7 @@ void consume(platform::Channel<std::int64_t>& channel, HandOvers& result) {
 void produce(platform::Channel<std::int64_t>& channel, HandOvers& result) {
   std::int64_t due_ns = platform::monotonic_ns();
   for (int i = 0; i < kHandOvers; ++i) {
-    sleep_until(due_ns += kPeriod_ns);
+    platform::sleep_until_ns(due_ns += kPeriod_ns);
     const std::int64_t now_ns = platform::monotonic_ns();
     while (!channel.try_push(now_ns)) {
     }

@@ -3,15 +3,14 @@
 #include <chrono>
 #include <cstdio>
 #include <cstdlib>
+#include <memory>
 #include <string>
 #include <thread>
 #include <vector>
 
 #include "context.hpp"
-#include "pago/core/histogram.hpp"
-#include "pago/platform/clock.hpp"
+#include "pago/platform/jitter.hpp"
 #include "pinned.hpp"
-#include "sleep_until.hpp"
 
 // The machine's own jitter: how late a thread wakes that does nothing but sleep until the next millisecond.
 // No pipeline on this machine can have a shorter tail.
@@ -27,29 +26,15 @@ struct Core {
   std::string scheduling;
 };
 
-void sleep_and_wake(LatencyHistogram& late, int wake_ups) {
-  std::int64_t due_ns = platform::monotonic_ns();
-  for (int i = 0; i < wake_ups; ++i) {
-    due_ns += kPeriod_ns;
-    perf::sleep_until(due_ns);
-    const std::int64_t now_ns = platform::monotonic_ns();
-    late.record(now_ns - due_ns);
-    // Wake-ups that were missed altogether are one late one, not many.
-    while (due_ns + kPeriod_ns < now_ns) due_ns += kPeriod_ns;
-  }
-}
-
 /// All cores at once: that is how the pipeline uses them.
-std::vector<Core> measure(int wake_ups, int fifo_priority) {
-  std::vector<Core> cores(std::thread::hardware_concurrency());
-  std::vector<platform::Thread> threads;
-  for (std::size_t i = 0; i < cores.size(); ++i) {
-    Core& core = cores[i];
-    threads.emplace_back(perf::pinned("jitter", static_cast<int>(i), fifo_priority),
-                         [&core, wake_ups] { sleep_and_wake(core.late, wake_ups); });
-    core.scheduling = perf::scheduling_of(threads.back());
-  }
-  for (platform::Thread& thread : threads) thread.join();
+std::vector<Core> measure(double seconds, int fifo_priority) {
+  std::vector<std::unique_ptr<platform::JitterMeter>> meters;
+  for (unsigned cpu = 0; cpu < std::thread::hardware_concurrency(); ++cpu)
+    meters.push_back(std::make_unique<platform::JitterMeter>(
+        perf::pinned("jitter", static_cast<int>(cpu), fifo_priority), kPeriod_ns));
+  std::this_thread::sleep_for(std::chrono::duration<double>(seconds));
+  std::vector<Core> cores;
+  for (const auto& meter : meters) cores.push_back({meter->stop(), perf::scheduling_of(meter->thread())});
   return cores;
 }
 
@@ -71,11 +56,10 @@ int main(int argc, char** argv) {
     std::fprintf(stderr, "usage: %s [seconds, 5]\n", argv[0]);
     return 2;
   }
-  const int wake_ups = static_cast<int>(seconds * 1e9 / static_cast<double>(kPeriod_ns));
   std::printf("%s\n\nlateness of a timer of 1 ms, %.0f s, all cores at once, us\n\n",
               perf::context_line().c_str(), seconds);
   std::printf("| core | scheduling             |      p50 |      p90 |      p99 |     p99.9 |       max |\n");
   std::printf("|-----:|------------------------|---------:|---------:|---------:|----------:|----------:|\n");
-  for (const int fifo_priority : {0, perf::kFifoPriority}) print(measure(wake_ups, fifo_priority));
+  for (const int fifo_priority : {0, perf::kFifoPriority}) print(measure(seconds, fifo_priority));
   std::printf("\nafter the run: %s\n", perf::context_line().c_str());
 }

@@ -10,20 +10,13 @@
 
 namespace pago::perf {
 
-/// A whole sweep through a stage, as the pipeline's runner does it without sectors.
-template <Stage S>
-void process(S& stage, Sweep& sweep) noexcept {
-  stage.begin(sweep);
-  stage.accept({&sweep, sweep.size, sweep.header.num_columns, true});
-  stage.finish(sweep);
-}
-
 inline std::uint32_t max_returns(const Config& config) {
-  return static_cast<std::uint32_t>(config.assembly.max_returns);
+  return max_returns_of(config.assembly, /*can_be_dual=*/true);
 }
 
-/// Drives the sweeps through a rig again and again: `prepare(sweep)` is what comes before the stage and is
-/// not timed, `run(sweep)` is the stage. Both begin anew with the drive.
+/// Drives the sweeps through a rig again and again: `prepare(sweep)` is what comes before the stage, and
+/// `settle(sweep)`, where there is one, after it; they are not timed. `run(sweep)` is the stage. All begin
+/// anew with the drive.
 template <typename Rig, typename MakeRig>
 void measure(benchmark::State& state, const Drive& drive, MakeRig make_rig) {
   StageTimer timer(state, drive);
@@ -38,6 +31,7 @@ void measure(benchmark::State& state, const Drive& drive, MakeRig make_rig) {
     }
     rig->prepare(*sweep);
     timer.time([&] { rig->run(*sweep); });
+    if constexpr (requires { rig->settle(*sweep); }) rig->settle(*sweep);
   }
   timer.report();
 }

@@ -10,7 +10,7 @@ namespace pago::perf {
 
 SweepFeed::SweepFeed(const Drive& drive)
     : drive_(drive),
-      ring_(kSweeps, static_cast<std::uint32_t>(drive.config.assembly.max_returns)),
+      ring_(kSweeps, max_returns_of(drive.config.assembly, /*can_be_dual=*/true)),
       ingest_(drive.config.assembly, drive.config.hdl64, drive.calibration, *this) {}
 
 Sweep* SweepFeed::next() noexcept {

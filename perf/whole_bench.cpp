@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "pago/features/features.hpp"
 #include "pago/ground/segmenter.hpp"
+#include "pago/mapping/mapping.hpp"
 #include "pago/odometry/odometry.hpp"
 #include "stage_rig.hpp"
 #include "stages.hpp"
@@ -16,7 +17,8 @@ struct WholeWay {
       : feed(drive),
         segmenter(ground::make_segmenter(drive.config.ground, drive.config.mount, max_returns(drive.config))),
         extractor(drive.config.features, max_returns(drive.config)),
-        odometer(drive.config.odometry, max_returns(drive.config)) {}
+        mapper(drive.config.mapping),
+        odometer(drive.config.odometry, max_returns(drive.config), mapper.refined()) {}
 
   void run() noexcept {
     Sweep* sweep = feed.next();
@@ -24,11 +26,15 @@ struct WholeWay {
     process(*segmenter, *sweep);
     process(extractor, *sweep);
     process(odometer, *sweep);
+    process(mapper, *sweep);
+    odometer.update(*sweep);
+    mapper.update(*sweep);
   }
 
   SweepFeed feed;
   std::unique_ptr<ground::Segmenter> segmenter;
   features::FeaturesStage extractor;
+  mapping::MappingStage mapper;
   odometry::OdometryStage odometer;
 };
 

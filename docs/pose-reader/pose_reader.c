@@ -28,15 +28,19 @@ int main(int argc, char** argv) {
   if (board == MAP_FAILED) return 1;
   while (__atomic_load_n(&board->magic, __ATOMIC_ACQUIRE) == PAGO_POSE_V1) { /* until pago ends */
     const uint32_t news = __atomic_load_n(&board->news, __ATOMIC_ACQUIRE);
-    if (pago_read_pose_v1(&board->refined, &pose) && pose.sequence != last) {
+    const int is_new = pago_read_pose_v1(&board->refined, &pose) && pose.sequence != last;
+    clock_gettime(CLOCK_REALTIME, &now);
+    if (is_new) {
       last = pose.sequence;
-      clock_gettime(CLOCK_REALTIME, &now);
       printf("%llu %s at %.3f %.3f %.3f m, health %d, %.2f ms after the sweep's last packet\n",
              (unsigned long long)pose.sequence, pose.child_frame_id, pose.position_m[0], pose.position_m[1],
              pose.position_m[2], pose.health,
              (double)(now.tv_sec * 1000000000LL + now.tv_nsec - pose.last_arrival_ns) * 1e-6);
-      fflush(stdout);
+    } else if (last != UINT64_MAX &&
+               now.tv_sec * 1000000000LL + now.tv_nsec - pose.published_ns > 500000000) {
+      printf("the last pose is more than 0.5 s old: do not drive on it\n");
     }
+    fflush(stdout);
     /* Sleeps until something new was published; a word that has changed already does not let it sleep. */
     syscall(SYS_futex, &board->news, FUTEX_WAIT, news, &second, NULL, 0);
   }

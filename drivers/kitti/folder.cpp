@@ -20,9 +20,10 @@ struct NumberedFile {
   fs::path path;
 };
 
-/// Where scans and stamps lie.
+/// Where scans, stamps and labels lie.
 struct Layout {
   fs::path scans, stamps;
+  std::vector<fs::path> labels;
   bool is_raw = false;
 };
 
@@ -49,11 +50,27 @@ std::vector<Layout> possible_layouts(const fs::path& folder) {
   std::error_code unknown;
   const bool has_dates = fs::exists(parent / "timestamps.txt", unknown);
   return {
-      {folder / "velodyne", folder / "times.txt", false},
-      {folder / "velodyne_points" / "data", folder / "velodyne_points" / "timestamps.txt", true},
-      {folder / "data", folder / "timestamps.txt", true},
-      {folder, parent / (has_dates ? "timestamps.txt" : "times.txt"), has_dates},
+      {folder / "velodyne", folder / "times.txt", {folder / "labels"}, false},
+      {folder / "velodyne_points" / "data",
+       folder / "velodyne_points" / "timestamps.txt",
+       {folder / "labels", folder / "velodyne_points" / "labels"},
+       true},
+      {folder / "data", folder / "timestamps.txt", {folder / "labels", parent / "labels"}, true},
+      {folder,
+       parent / (has_dates ? "timestamps.txt" : "times.txt"),
+       {parent / "labels", parent.parent_path() / "labels"},
+       has_dates},
   };
+}
+
+/// SemanticKITTI's labels of a scan: a file of the same number; empty if there is none.
+std::string find_labels(const fs::path& scan, const Layout& layout) {
+  std::error_code unknown;
+  for (const fs::path& folder : layout.labels) {
+    const fs::path file = folder / scan.stem().replace_extension(".label");
+    if (fs::exists(file, unknown)) return file.string();
+  }
+  return {};
 }
 
 /// The stamp of each file: by its number where the stamps reach that far, else one by one.
@@ -105,7 +122,7 @@ void select(const KittiConfig& config, const fs::path& path, Folder& folder) {
   scans.front().is_after_gap = false;
 }
 
-Folder read_layout(const Layout& layout, const std::vector<NumberedFile>& files) {
+Folder read_layout(const Layout& layout, const std::vector<NumberedFile>& files, bool with_labels) {
   Folder folder;
   folder.is_raw = layout.is_raw;
   for (std::size_t i = 0; i < files.size(); ++i) {
@@ -114,6 +131,7 @@ Folder read_layout(const Layout& layout, const std::vector<NumberedFile>& files)
       throw Error(files[i].path.string(), "has the same number as " + files[i - 1].path.filename().string(),
                   "keep one of them");
     folder.scans.push_back({.path = files[i].path.string(),
+                            .label_path = with_labels ? find_labels(files[i].path, layout) : std::string(),
                             .sequence = number,
                             .is_after_gap = i > 0 && number != files[i - 1].number + 1,
                             .is_last_of_folder = i + 1 == files.size()});
@@ -135,7 +153,7 @@ Folder open_folder(const fs::path& folder, const KittiConfig& config) {
   for (const Layout& layout : possible_layouts(clean)) {
     const std::vector<NumberedFile> files = find_scans(layout.scans);
     if (files.empty()) continue;
-    Folder found = read_layout(layout, files);
+    Folder found = read_layout(layout, files, config.labels);
     select(config, folder, found);
     return found;
   }

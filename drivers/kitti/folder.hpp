@@ -14,6 +14,7 @@ namespace pago::kitti {
 /// One file to read.
 struct Scan {
   std::string path;
+  std::string label_path;                 ///< empty: no labels, or not wanted
   std::uint64_t sequence = 0;             ///< file number, counted from the first scan that is read
   std::int64_t start_ns = 0, end_ns = 0;  ///< of the rotation, around the file's stamp
   bool is_after_gap = false;              ///< file numbers are missing before it

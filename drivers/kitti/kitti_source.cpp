@@ -116,9 +116,14 @@ bool KittiSource::fill(Sweep& sweep) noexcept {
   const std::span<const FilePoint> points =
       state.reader.read(scan.path.c_str(), sweep.capacity(), state.fault);
   if (points.empty()) return false;
+  const bool is_labelled = !scan.label_path.empty();
+  if (is_labelled &&
+      !kitti::read_labels(scan.label_path.c_str(), sweep.label.first(points.size()), state.fault))
+    return false;
   ++state.next;
 
   sweep.header = header_of(scan, state.is_compensated);
+  sweep.header.flags |= is_labelled ? kLabelled : 0U;
   copy_points(points, sweep);
   state.organizer.organize(sweep);
   const std::span<const float> turn = state.organizer.turn_rev();
@@ -128,6 +133,12 @@ bool KittiSource::fill(Sweep& sweep) noexcept {
   return true;
 }
 
+std::string KittiSource::first_without_labels() const {
+  const auto& scans = state_->folder.scans;
+  const auto found = std::ranges::find_if(scans, &std::string::empty, &kitti::Scan::label_path);
+  return found == scans.end() ? std::string() : found->path;
+}
+
 Progress KittiSource::progress() const noexcept {
   return {static_cast<double>(state_->next), static_cast<double>(state_->folder.scans.size())};
 }
@@ -135,7 +146,8 @@ Progress KittiSource::progress() const noexcept {
 std::string KittiSource::complaint() const {
   const State& state = *state_;
   if (state.fault.kind == kitti::ScanFault::Kind::kNone) return {};
-  return describe(state.fault, state.folder.scans[state.next].path);
+  const kitti::Scan& scan = state.folder.scans[state.next];
+  return describe(state.fault, state.fault.is_of_labels ? scan.label_path : scan.path);
 }
 
 bool KittiSource::is_compensated() const noexcept {

@@ -6,6 +6,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cerrno>
 #include <cstring>
@@ -44,8 +45,34 @@ std::string describe(const ScanFault& fault, const std::string& path) {
       return path + ": ends inside a point, which begins at byte " + byte + " (a point has 16 bytes)";
     case ScanFault::Kind::kTooLong:
       return path + ": more points than a sweep can hold, from byte " + byte + " on";
+    case ScanFault::Kind::kLabels:
+      return path + ": has " + byte + " bytes, not 4 for each point of its scan (is it of another one?)";
   }
   return {};
+}
+
+bool read_labels(const char* path, std::span<std::uint16_t> classes, ScanFault& fault) noexcept {
+  using Kind = ScanFault::Kind;
+  const int file = ::open(path, O_RDONLY | O_CLOEXEC);
+  if (file < 0) {
+    fault = {Kind::kOpen, errno, 0, true};
+    return false;
+  }
+  std::array<std::uint32_t, 4096> block{};  // labels need no more memory than that
+  std::uint64_t bytes = 0;
+  ssize_t got = 0;
+  do {
+    got = read_up_to(file, block.data(), sizeof block);
+    if (got < 0) fault = {Kind::kRead, errno, 0, true};
+    for (std::size_t k = 0; 4 * (k + 1) <= static_cast<std::size_t>(std::max<ssize_t>(0, got)); ++k) {
+      const std::size_t i = bytes / 4 + k;
+      if (i < classes.size()) classes[i] = static_cast<std::uint16_t>(block[k] & 0xFFFFU);
+    }
+    bytes += static_cast<std::uint64_t>(std::max<ssize_t>(0, got));
+  } while (got == static_cast<ssize_t>(sizeof block));
+  ::close(file);
+  if (got >= 0 && bytes != 4 * classes.size()) fault = {Kind::kLabels, 0, bytes, true};
+  return got >= 0 && bytes == 4 * classes.size();
 }
 
 std::span<const FilePoint> ScanReader::read(const char* path,

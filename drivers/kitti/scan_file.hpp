@@ -19,14 +19,20 @@ static_assert(sizeof(FilePoint) == 16);
 
 /// Why a scan cannot be used.
 struct ScanFault {
-  enum class Kind : std::uint8_t { kNone, kOpen, kRead, kEmpty, kPartialPoint, kTooLong };
+  enum class Kind : std::uint8_t { kNone, kOpen, kRead, kEmpty, kPartialPoint, kTooLong, kLabels };
   Kind kind = Kind::kNone;
-  int system_error = 0;    ///< errno of kOpen and kRead
-  std::uint64_t byte = 0;  ///< where in the file
+  int system_error = 0;       ///< errno of kOpen and kRead
+  std::uint64_t byte = 0;     ///< where in the file; kLabels: how many bytes it has
+  bool is_of_labels = false;  ///< about the scan's labels, not its points
 };
 
 /// One line about it, beginning with the file's name.
 std::string describe(const ScanFault& fault, const std::string& path);
+
+/// Reads the classes (low 16 bits) of a file of SemanticKITTI labels, one little-endian uint32 per point.
+/// False on a fault, which it sets: the file cannot be read, or has not as many labels as `classes`.
+/// Real-time safe but for the file.
+bool read_labels(const char* path, std::span<std::uint16_t> classes, ScanFault& fault) noexcept;
 
 /// Reads scan files into memory of its own. [set-up] the constructor allocates; read() does not.
 class ScanReader {

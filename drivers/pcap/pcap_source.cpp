@@ -18,11 +18,42 @@ namespace {
 constexpr int kMaxRecordsPerCall = 4096;
 constexpr std::size_t kUdpHeaderBytes = 8;
 
+/// Which part of a capture is used, by its own stamps.
+class Window {
+ public:
+  explicit Window(const CaptureConfig& part) : start_s_(part.start_s), duration_s_(part.duration_s) {}
+
+  bool is_inside(std::int64_t stamp_ns) noexcept {
+    if (!has_begun_) first_ns_ = stamp_ns;
+    has_begun_ = true;
+    // Damaged files hold any stamps: as doubles their differences cannot overflow.
+    elapsed_s_ = (static_cast<double>(stamp_ns) - static_cast<double>(first_ns_)) * 1e-9 - start_s_;
+    const bool is_beyond = duration_s_ > 0.0 && elapsed_s_ >= duration_s_;
+    beyond_ = is_beyond ? beyond_ + 1 : 0;
+    return elapsed_s_ >= 0.0 && !is_beyond;
+  }
+  /// One record from beyond may be a damaged stamp.
+  bool is_over() const noexcept { return beyond_ >= kBeyond; }
+  std::optional<Progress> progress() const noexcept {
+    if (duration_s_ == 0.0) return std::nullopt;
+    return Progress{is_over() ? duration_s_ : std::clamp(elapsed_s_, 0.0, duration_s_), duration_s_};
+  }
+
+ private:
+  static constexpr int kBeyond = 16;
+
+  double start_s_, duration_s_, elapsed_s_ = 0.0;
+  std::int64_t first_ns_ = 0;
+  bool has_begun_ = false;
+  int beyond_ = 0;
+};
+
 }  // namespace
 
 struct PcapSource::State {
-  State(const std::filesystem::path& file, const PacketFilterConfig& filter_config)
+  State(const std::filesystem::path& file, const PacketFilterConfig& filter_config, const CaptureConfig& part)
       : filter(PacketFilter::of(filter_config)),
+        window(part),
         capture(file),
         fragments(kMaxPayloadBytes + kUdpHeaderBytes),
         bytes(kBatch * kMaxPayloadBytes) {}
@@ -45,6 +76,7 @@ struct PcapSource::State {
   }
 
   PacketFilter filter;
+  Window window;
   pcap::CaptureFile capture;
   pcap::FragmentTable fragments;
   AlignedArray<std::uint8_t> bytes;  // kBatch payloads
@@ -115,8 +147,10 @@ void PcapSource::State::end() noexcept {
   fragments.finish(counters);
 }
 
-PcapSource::PcapSource(const std::filesystem::path& file, const PacketFilterConfig& filter)
-    : state_(std::make_unique<State>(file, filter)) {}
+PcapSource::PcapSource(const std::filesystem::path& file,
+                       const PacketFilterConfig& filter,
+                       const CaptureConfig& part)
+    : state_(std::make_unique<State>(file, filter, part)) {}
 
 PcapSource::~PcapSource() = default;
 
@@ -125,10 +159,10 @@ std::span<const Datagram> PcapSource::receive() noexcept {
   state.batch_size = 0;
   for (int i = 0; i < kMaxRecordsPerCall && state.batch_size < kBatch && !state.has_ended; ++i) {
     const std::optional<pcap::Record> record = state.capture.next();
-    if (record)
-      state.take(*record);
-    else
+    if (!record || state.window.is_over())
       state.end();
+    else if (state.window.is_inside(record->stamp_ns))
+      state.take(*record);
   }
   return {state.batch.data(), state.batch_size};
 }
@@ -140,7 +174,7 @@ SourceCounters PcapSource::counters() const noexcept {
   return state_->counters;
 }
 Progress PcapSource::progress() const noexcept {
-  return state_->capture.progress();
+  return state_->window.progress().value_or(state_->capture.progress());
 }
 std::string PcapSource::complaint() const {
   return state_->capture.complaint();

@@ -16,9 +16,15 @@ using Action = std::function<int()>;
 
 /// Each adds one subcommand and, when it is chosen, sets `action`.
 void add_run_command(CLI::App& program, Action& action);
+void add_inspect_command(CLI::App& program, Action& action);
+void add_record_command(CLI::App& program, Action& action);
+void add_segment_command(CLI::App& program, Action& action);
 void add_evaluate_command(CLI::App& program, Action& action);
 void add_config_command(CLI::App& program, Action& action);
 void add_play_command(CLI::App& program, Action& action);
 void add_ctl_command(CLI::App& program, Action& action);
+void add_doctor_command(CLI::App& program, Action& action);
+void add_demo_command(CLI::App& program, Action& action);      // where the simulator is built in
+void add_simulate_command(CLI::App& program, Action& action);  // where the simulator is built in
 
 }  // namespace pago::app

@@ -17,8 +17,8 @@ struct CtlOptions {
 };
 
 int ctl_command(const CtlOptions& options) {
-  const std::string answer =
-      output::ask(options.socket.empty() ? output::default_control_path() : options.socket, options.request);
+  const std::string answer = options.socket.empty() ? output::ask_usual(options.request)
+                                                    : output::ask(options.socket, options.request);
   const auto json = nlohmann::ordered_json::parse(answer, nullptr, /*allow_exceptions=*/false);
   if (json.contains("error")) {
     std::cerr << "pago: " << json["error"].get<std::string>() << '\n';

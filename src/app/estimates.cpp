@@ -31,8 +31,6 @@ Estimate load_estimate(const std::string& argument, const std::string& name, boo
     estimate.run = output::read_run_files(file.parent_path());
   if (!estimate.run) return estimate;
   attach_covariances(estimate, file);
-  const fs::path ground = estimate.run->folder / "ground.csv";
-  if (fs::exists(ground)) estimate.ground = evaluation::read_ground_csv(ground);
   return estimate;
 }
 

@@ -4,9 +4,7 @@
 
 #include <optional>
 #include <string>
-#include <vector>
 
-#include "pago/evaluation/ground_csv.hpp"
 #include "pago/evaluation/trajectory.hpp"
 #include "pago/output/run_files.hpp"
 
@@ -16,12 +14,11 @@ namespace pago::app {
 struct Estimate {
   evaluation::Trajectory trajectory;    ///< with covariances where the run reported them
   std::optional<output::RunFiles> run;  ///< where the trajectory lies in the results folder of a run
-  std::vector<evaluation::GroundRow> ground;
 };
 
 /// A trajectory file, or a results folder: then its trajectory NAME ("trajectory" or "odometry"), with stamps
 /// (.tum) or as rows (.kitti). What lies beside a trajectory of a results folder comes along: run.json,
-/// latency.csv, poses.csv, ground.csv.
+/// latency.csv, poses.csv.
 Estimate load_estimate(const std::string& argument, const std::string& name, bool with_stamps);
 
 /// The instant that a run's poses hold for, by its settings: "start", "mid", "end"; empty when unknown.

@@ -14,6 +14,11 @@ namespace {
 
 constexpr std::chrono::seconds kBetweenLosses{1};
 
+/// One line; paths in it need not be UTF-8.
+std::string line_of(const nlohmann::ordered_json& json) {
+  return json.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
+}
+
 std::uint64_t no_free_sweep(const IngestStatus& status) {
   return status.sweeps.no_free_sweep;
 }
@@ -49,16 +54,19 @@ LiveOutlets open_outlets(const Config& config) {
   if (socket != "none")
     outlets.control =
         std::make_unique<output::ControlServer>(socket.empty() ? output::default_control_path() : socket);
+  if (!config.record.file.empty()) outlets.packets = std::make_unique<PcapRecorder>(config.record);
   return outlets;
 }
 
 LiveObserver::LiveObserver(LiveOutlets& outlets,
                            std::string source,
+                           const Mount& mount,
                            output::RunRecorder& recorder,
                            std::function<output::RunReport(const IngestStatus&)> report_so_far,
                            std::function<void()> reset)
     : outlets_(outlets),
       source_(std::move(source)),
+      mount_(mount),
       recorder_(recorder),
       report_so_far_(std::move(report_so_far)),
       reset_(std::move(reset)),
@@ -83,10 +91,17 @@ void LiveObserver::on_pose(const output::PoseV1& pose) {
   if (outlets_.lines) outlets_.lines->write(pose);
 }
 
+void LiveObserver::on_mount(const ground::MountReport& report) {
+  if (!report.is_warning()) return;
+  line_.clear();
+  log_.warn(to_text(report, mount_));
+}
+
 void LiveObserver::on_status(const IngestStatus& status) {
   now_ = status;
   line_.show(status.progress);
   note_state();
+  note_sensor();
   if (Clock::now() >= next_losses_) note_losses();
   if (outlets_.control) outlets_.control->serve([this](output::Request request) { return handle(request); });
 }
@@ -106,9 +121,25 @@ void LiveObserver::note_state() {
     log_.warn(sentence);
 }
 
+void LiveObserver::note_sensor() {
+  for (const std::string& warning : hdl64::warnings_of(now_.said)) {
+    if (!told_warnings_.insert(warning).second) continue;
+    line_.clear();
+    log_.warn("the sensor says: " + warning);
+  }
+  if (!now_.is_calibration_wrong || !told_warnings_.insert("calibration").second) return;
+  line_.clear();
+  log_.warn("wrong calibration: it is not the one that this sensor sends; `pago inspect` shows by how much");
+}
+
 void LiveObserver::note_losses() {
   next_losses_ = Clock::now() + kBetweenLosses;
-  const std::string text = losses(told_, now_, superseded_ - told_superseded_);
+  std::string text = losses(told_, now_, superseded_ - told_superseded_);
+  const std::uint64_t unwritten = outlets_.packets ? outlets_.packets->counters().unwritten() : 0;
+  if (unwritten > told_unwritten_)
+    text += format("%s%llu datagrams to the recording (disk full or slow)", text.empty() ? "" : ", ",
+                   static_cast<unsigned long long>(unwritten - told_unwritten_));
+  told_unwritten_ = unwritten;
   told_ = now_;
   told_superseded_ = superseded_;
   if (text.empty()) return;
@@ -130,12 +161,12 @@ std::string LiveObserver::handle(output::Request request) {
     case output::Request::kTrace: {
       const std::string file = recorder_.save_trace();
       if (file.empty()) return R"({"error": "no trace: output.trace_sweeps is 0, or no sweep has come yet"})";
-      return nlohmann::json{{"trace", file}}.dump();
+      return line_of({{"trace", file}});
     }
   }
   const std::vector<std::string> complaints = recorder_.complaints();
-  if (!complaints.empty()) return nlohmann::json{{"error", complaints.front()}}.dump();
-  return nlohmann::json{{"folder", recorder_.folder().string()}}.dump();
+  if (!complaints.empty()) return line_of({{"error", complaints.front()}});
+  return line_of({{"folder", recorder_.folder().string()}});
 }
 
 std::string LiveObserver::status_json() const {
@@ -145,9 +176,17 @@ std::string LiveObserver::status_json() const {
   const nlohmann::ordered_json json = {
       {"state", to_string(state)},
       {"explanation", explain(state, now_, source_)},
-      {"health", to_string(health_)},
+      {"health", to_string(static_cast<Health>(newest_.health))},
+      {"reason", to_string(static_cast<HealthReason>(newest_.reason))},
       {"uptime_s", std::chrono::duration<double>(Clock::now() - start_).count()},
-      {"rotation_hz", now_.rotation_hz},
+      {"rotation_hz", state == StreamState::kRunning ? now_.rotation_hz : 0.0},
+      {"sensor",
+       {{"temperature_c", now_.said.temperature_c},
+        {"warnings", hdl64::warnings_of(now_.said)},
+        {"firmware", hdl64::firmware_of(now_.said)},
+        {"gps", to_string(now_.said.gps)},
+        {"clock_drift_ppm", now_.clock_drift_ppm},
+        {"calibration_is_its_own", !now_.is_calibration_wrong}}},
       {"poses", recorder_.totals().num_poses},
       {"length_m", recorder_.totals().length_m},
       {"position_m", newest_.position_m},
@@ -156,12 +195,14 @@ std::string LiveObserver::status_json() const {
       {"packets", {{"received", now_.packets.received}, {"decoded", now_.packets.decoded}}},
       {"lost", losses({}, now_, superseded_)},
       {"folder", recorder_.folder().string()}};
-  return json.dump();
+  return line_of(json);
 }
 
 std::vector<std::string> LiveObserver::complaints() const {
   std::vector<std::string> result;
   if (outlets_.lines && !outlets_.lines->complaint().empty()) result.push_back(outlets_.lines->complaint());
+  if (outlets_.packets && !outlets_.packets->complaint().empty())
+    result.push_back(outlets_.packets->complaint());
   if (outlets_.sender && outlets_.sender->unsent() > 0)
     result.push_back(format("%llu poses could not be sent by UDP: no route?",
                             static_cast<unsigned long long>(outlets_.sender->unsent())));

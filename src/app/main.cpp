@@ -16,10 +16,18 @@ int parse_and_act(int argc, char** argv) {
   program.require_subcommand(0, 1);
   pago::app::Action action;
   pago::app::add_run_command(program, action);
+  pago::app::add_inspect_command(program, action);
+  pago::app::add_record_command(program, action);
+  pago::app::add_segment_command(program, action);
   pago::app::add_evaluate_command(program, action);
   pago::app::add_play_command(program, action);
   pago::app::add_ctl_command(program, action);
+  pago::app::add_doctor_command(program, action);
   pago::app::add_config_command(program, action);
+#ifdef PAGO_HAS_SIMULATOR
+  pago::app::add_demo_command(program, action);
+  pago::app::add_simulate_command(program, action);
+#endif
   try {
     program.parse(argc, argv);
   } catch (const CLI::Success& wanted) {  // --help, --version

@@ -31,9 +31,9 @@ void ProgressLine::show(const Progress& progress) {
   next_ = now + std::chrono::milliseconds(500);
   is_shown_ = true;
   const double elapsed_s = std::chrono::duration<double>(now - start_).count();
-  std::fprintf(stderr, "\r\033[K%llu sweeps, %.1f per second, %s", static_cast<unsigned long long>(sweeps_),
-               static_cast<double>(sweeps_) / std::max(elapsed_s, 1e-3),
-               std::string(to_string(health_)).c_str());
+  std::fprintf(stderr, "\r\033[K%llu sweeps, %.1f per second", static_cast<unsigned long long>(sweeps_),
+               static_cast<double>(sweeps_) / std::max(elapsed_s, 1e-3));
+  if (health_) std::fprintf(stderr, ", %s", std::string(to_string(*health_)).c_str());
   if (progress.total > 0.0 && progress.done > 0.0) {
     const double share = std::min(1.0, progress.done / progress.total);
     std::fprintf(stderr, ", %.0f %%, %.0f s left", 100.0 * share, elapsed_s * (1.0 - share) / share);

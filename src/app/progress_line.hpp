@@ -4,6 +4,7 @@
 
 #include <chrono>
 #include <cstdint>
+#include <optional>
 
 #include "pago/core/sources.hpp"
 #include "pago/output/sweep_record.hpp"
@@ -18,6 +19,8 @@ class ProgressLine {
   ~ProgressLine();
 
   void count(const output::SweepRecord& record) noexcept;
+  /// So many sweeps are done, of which there is nothing more to say.
+  void count_to(std::uint64_t sweeps) noexcept { sweeps_ = sweeps; }
   void show(const Progress& progress);
   /// Makes room for another message; the line comes again.
   void clear();
@@ -27,7 +30,7 @@ class ProgressLine {
   bool is_terminal_;
   Clock::time_point start_ = Clock::now(), next_ = start_;
   std::uint64_t sweeps_ = 0;
-  Health health_ = Health::kInit;
+  std::optional<Health> health_;  // of the last sweep that has one
   bool is_shown_ = false;
 };
 

@@ -27,6 +27,9 @@ output::RunReport report_of(const RunSummary& summary,
                             bool has_packets,
                             double wall_s) {
   output::RunReport report = common_report(source, config, wall_s);
+  report.facts.emplace_back("mount check", std::string(to_string(summary.mount.finding)));
+  if (summary.mount.has_estimate)
+    report.facts.emplace_back("ground below sensor", format("%.3f m", summary.mount.height_m));
   if (has_packets) {
     report.facts.emplace_back("sensor", summary.sensor);
     report.facts.emplace_back("calibration", config.hdl64.calibration);
@@ -36,13 +39,32 @@ output::RunReport report_of(const RunSummary& summary,
   }
   for (const std::string& thread : summary.threads) report.facts.emplace_back("thread", thread);
   report.sweeps = summary.sweeps;
+  report.requests = summary.requests;
   report.self_hits = summary.self_hits;
+  report.unrecorded = summary.unrecorded;
   report.complaint = summary.failure.empty() ? summary.complaint : summary.failure;
   if (report.complaint.empty() && summary.interrupted) report.complaint = "stopped by a signal";
   return report;
 }
 
+namespace {
+
+/// Of what has come out so far; the rest of what was begun is under way.
+SweepCounters sweeps_so_far(const AssemblyCounters& assembled, const output::RunTotals& totals) {
+  SweepCounters sweeps;
+  sweeps.opened = assembled.opened;
+  sweeps.posed = totals.num_poses;
+  sweeps.partial = totals.partial;
+  sweeps.dropped[static_cast<std::size_t>(SweepDrop::kNoFreeSweep)] = assembled.no_free_sweep;
+  sweeps.dropped[static_cast<std::size_t>(SweepDrop::kSuperseded)] = totals.superseded;
+  sweeps.in_flight = sweeps.opened - sweeps.posed - sweeps.partial - sweeps.dropped_total();
+  return sweeps;
+}
+
+}  // namespace
+
 output::RunReport report_so_far(const IngestStatus& status,
+                                const output::RunTotals& totals,
                                 const std::string& source,
                                 const Config& config,
                                 double wall_s) {
@@ -52,6 +74,7 @@ output::RunReport report_so_far(const IngestStatus& status,
   report.source_counters = status.source;
   report.packets = status.packets;
   report.firings = status.firings;
+  report.sweeps = sweeps_so_far(status.sweeps, totals);
   report.complaint = "saved while running";
   return report;
 }

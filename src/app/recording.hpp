@@ -21,6 +21,7 @@ output::RunReport report_of(const RunSummary& summary,
 
 /// The same of one that goes on: what is known by now.
 output::RunReport report_so_far(const IngestStatus& status,
+                                const output::RunTotals& totals,
                                 const std::string& source,
                                 const Config& config,
                                 double wall_s);

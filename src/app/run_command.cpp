@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <CLI/CLI.hpp>
 #include <chrono>
+#include <filesystem>
 #include <iostream>
 #include <memory>
 #include <optional>
@@ -12,8 +13,10 @@
 #include "pago/core/error.hpp"
 #include "pago/output/results_folder.hpp"
 #include "pago/output/run_recorder.hpp"
+#include "pago/pcap/recording_source.hpp"
 #include "pago/pipeline/paced_source.hpp"
 #include "pago/pipeline/pipeline.hpp"
+#include "pago/platform/memory.hpp"
 #include "progress_line.hpp"
 #include "recording.hpp"
 #include "settings.hpp"
@@ -25,7 +28,8 @@ namespace pago::app {
 namespace {
 
 struct RunOptions {
-  std::string source, output, calibration, ground;
+  std::string source, output, calibration, ground, record, as_recorded;
+  PartOptions part;
   bool is_realtime = false;
   SettingsOptions settings;
 };
@@ -49,6 +53,8 @@ Config load(const RunOptions& options) {
   if (!options.calibration.empty()) config.hdl64.calibration = options.calibration;
   if (!options.ground.empty()) config.ground.method = options.ground;
   if (!options.output.empty()) config.output.folder = options.output;
+  if (!options.record.empty()) config.record.file = options.record;
+  options.part.apply(config);
   validate(config);
   return config;
 }
@@ -57,27 +63,60 @@ double seconds_since(std::chrono::steady_clock::time_point start) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
+/// For what is not real-time while it runs: files, messages, requests.
+constexpr std::size_t kHeapReserve_bytes = 16U << 20U;
+
 /// What a run needs, all of it open and made, so that nothing is refused after work has begun.
 struct Prepared {
   OpenSource source;
   bool is_live;
   std::unique_ptr<Pipeline> pipeline;
   LiveOutlets outlets;
+  std::string recorded_hash;  // of the live run's poses, if it is repeated
 
   OpenPackets* packets() { return std::get_if<OpenPackets>(&source); }
 };
 
 Prepared prepare(const RunOptions& options, Config& config) {
-  Prepared run{
-      .source = open_source(options.source, config), .is_live = false, .pipeline = {}, .outlets = {}};
+  Prepared run{.source = open_source(options.source, config),
+               .is_live = false,
+               .pipeline = {},
+               .outlets = {},
+               .recorded_hash = {}};
   const OpenPackets* const packets = run.packets();
+  if (!options.as_recorded.empty() && (packets == nullptr || packets->is_live || options.is_realtime))
+    throw Error(options.as_recorded, "goes with a capture of the live run's packets, replayed");
   if (packets == nullptr && options.is_realtime)
     throw Error(options.source, "holds scans, which cannot be replayed in real time",
                 "--realtime is for captures of packets");
   run.is_live = packets != nullptr && (packets->is_live || options.is_realtime);
-  run.pipeline = std::make_unique<Pipeline>(config, run.is_live ? Pace::kLive : Pace::kReplay);
-  if (run.is_live) run.outlets = open_outlets(config);
+  if (!run.is_live && !config.record.file.empty())
+    throw Error(config.record.file, "cannot be recorded: the source is not live",
+                "--record keeps the packets of a live run");
+  std::error_code unknown;
+  if (std::filesystem::equivalent(config.record.file, options.source, unknown))
+    throw Error(config.record.file, "is the source, and cannot be recorded to");
+  if (run.is_live) {
+    platform::keep_heap(kHeapReserve_bytes);
+    platform::make_timers_exact();
+  }
+  const output::Decisions decisions =
+      options.as_recorded.empty() ? output::Decisions{} : output::read_decisions(options.as_recorded);
+  run.recorded_hash = decisions.hash;
+  run.pipeline = std::make_unique<Pipeline>(config, run.is_live ? Pace::kLive : Pace::kReplay, decisions);
+  if (run.is_live) {
+    run.outlets = open_outlets(config);
+    if (const std::string refusal = platform::lock_memory(); !refusal.empty())
+      run.packets()->warnings.push_back(refusal);
+  }
   return run;
+}
+
+/// "55043 datagrams in drive.pcap, 0 not written"
+std::string recording_fact(const PcapRecorder& recorder) {
+  const RecordCounters c = recorder.counters();
+  return std::to_string(c.written) + " datagrams in " + recorder.files() + ", " +
+         std::to_string(c.unwritten()) + " not written";
 }
 
 RunSummary go_live(Prepared& run,
@@ -87,9 +126,9 @@ RunSummary go_live(Prepared& run,
                    std::vector<std::string>& complaints) {
   const auto start = std::chrono::steady_clock::now();
   LiveObserver observer(
-      run.outlets, options.source, recorder,
+      run.outlets, options.source, config.mount, recorder,
       [&](const IngestStatus& now) {
-        return report_so_far(now, options.source, config, seconds_since(start));
+        return report_so_far(now, recorder.totals(), options.source, config, seconds_since(start));
       },
       [&] { run.pipeline->request_reset(); });
   OpenPackets& open = *run.packets();
@@ -97,8 +136,13 @@ RunSummary go_live(Prepared& run,
   std::optional<PacedSource> paced;
   if (!open.is_live) paced.emplace(*open.packets);
   PacketSource& source = paced ? *paced : *open.packets;
-  const RunSummary summary = run.pipeline->run(source, open.calibration, observer, stop_flag());
+  std::optional<RecordingSource> recording;
+  if (run.outlets.packets) recording.emplace(source, *run.outlets.packets);
+  PacketSource& used = recording ? *recording : source;
+  RunSummary summary = run.pipeline->run(used, open.calibration, observer, stop_flag());
+  if (run.outlets.packets) run.outlets.packets->finish();
   for (const std::string& complaint : observer.complaints()) complaints.push_back(complaint);
+  if (open.is_live && !summary.interrupted && summary.failure.empty()) summary.failure = summary.complaint;
   return summary;
 }
 
@@ -112,11 +156,11 @@ RunSummary replay(Prepared& run, output::RunRecorder& recorder) {
 int run_command(const RunOptions& options) {
   stop_on_signals();
   Config config = load(options);
-  const bool is_calibration_chosen = !config.hdl64.calibration.empty();
   Prepared run = prepare(options, config);
-  if (!is_calibration_chosen && !config.hdl64.calibration.empty()) {
-    std::cout << "calibration  " << config.hdl64.calibration << ", found beside the capture\n";
-  }
+  if (const OpenPackets* open = run.packets(); open != nullptr && !open->calibration_note.empty())
+    std::cout << "calibration  " << open->calibration_note << '\n';
+  if (const OpenPackets* open = run.packets(); open != nullptr && !run.is_live)
+    for (const std::string& warning : open->warnings) std::cerr << "pago: " << warning << '\n';
   const output::ResultsFolder results = output::create_results_folder(config.output.folder);
   auto recorder = std::make_unique<output::RunRecorder>(results.folder, config.output);
 
@@ -125,8 +169,10 @@ int run_command(const RunOptions& options) {
   const RunSummary summary =
       run.is_live ? go_live(run, options, config, *recorder, complaints) : replay(run, *recorder);
 
-  const output::RunReport report =
+  output::RunReport report =
       report_of(summary, options.source, config, run.packets() != nullptr, seconds_since(start));
+  const PcapRecorder* const recorded = run.outlets.packets.get();
+  if (recorded != nullptr) report.facts.emplace_back("recorded", recording_fact(*recorded));
   recorder->finish(report);
   const bool came_to_nothing = !summary.failure.empty() && summary.sweeps.opened == 0;
   if (!came_to_nothing) std::cout << output::run_summary(report, recorder->totals(), results.folder);
@@ -136,11 +182,19 @@ int run_command(const RunOptions& options) {
   };
   add({summary.complaint, summary.failure});
   add(doubts(summary, recorder->totals(), run.source));
+  // A live run has said it when the verdict fell.
+  if (!run.is_live) add({ground::to_text(summary.mount, config.mount)});
+  const bool is_repeated = run.recorded_hash.empty() || run.recorded_hash == recorder->totals().hash.hex();
+  if (!is_repeated)
+    add({"the poses are not those of " + options.as_recorded +
+         ": its settings or calibration were others, or these are not the packets that it received"});
   add(recorder->complaints());
   if (!summary.balanced()) add({"the counters do not add up, see run.json"});
   for (const std::string& complaint : complaints)
     if (!complaint.empty()) std::cerr << "pago: " << complaint << '\n';
-  return exit_code(summary, recorder->totals(), recorder->complaints().empty(), run.is_live);
+  const bool is_recorded = recorder->complaints().empty() && summary.unrecorded == 0 && is_repeated &&
+                           (recorded == nullptr || recorded->complaint().empty());
+  return exit_code(summary, recorder->totals(), is_recorded, run.is_live);
 }
 
 }  // namespace
@@ -150,22 +204,38 @@ void add_run_command(CLI::App& program, Action& action) {
   const auto options = std::make_shared<RunOptions>();
   command
       .add_option("source", options->source,
-                  "udp://:2368 (a live sensor), drive.pcap, or a folder of KITTI scans (kitti:sequences/00)")
+                  "udp://:2368 (a live sensor), drive.pcap, a folder of KITTI scans (kitti:sequences/00), or "
+                  "sim:urban "
+                  "(a made-up drive; sim:urban,seed=3,seconds=60)")
       ->type_name("SOURCE")
       ->required();
   command
       .add_option(
           "--calibration", options->calibration,
-          "the unit's db.xml or ROS yaml; default: calibration.xml, .yaml or db.xml beside the capture")
+          "the unit's db.xml or ROS yaml, or `sensor`: the one that it sends itself (S2.1, S3); default: "
+          "calibration.xml, .yaml or db.xml beside the capture, else the sensor's")
       ->type_name("FILE");
-  command.add_option("--ground", options->ground, "ground segmentation: patchwork (default) or lego")
+  command
+      .add_option("--ground", options->ground,
+                  "ground segmentation: patchwork (default), patchworkpp, lego, ...; pago config lists them")
       ->type_name("NAME");
   command.add_flag("--realtime", options->is_realtime,
                    "replay a capture at the pace of its recording, as if the sensor were live: poses are "
                    "published, and what comes too fast is dropped and counted");
   command
+      .add_option("--record", options->record,
+                  "keep the packets of a live run in this capture, which replays to the same trajectory")
+      ->type_name("FILE");
+  command
+      .add_option(
+          "--as-recorded", options->as_recorded,
+          "repeat what a live run dropped because of the clock: its run.json, with its recorded packets "
+          "as source; the poses are then the same to the last bit")
+      ->type_name("RUN.JSON");
+  command
       .add_option("--output", options->output, "folder that gets a new folder for each run; default: results")
       ->type_name("DIR");
+  options->part.add_to(command);
   options->settings.add_to(command);
   command.callback([&action, options] { action = [options] { return run_command(*options); }; });
 }

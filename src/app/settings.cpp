@@ -22,4 +22,16 @@ Config SettingsOptions::load() const {
   return config;
 }
 
+void PartOptions::add_to(CLI::App& command) {
+  command.add_option("--start", start_s, "of a capture, skip so many seconds at the beginning")
+      ->type_name("SECONDS");
+  command.add_option("--duration", duration_s, "of a capture, use so many seconds after that")
+      ->type_name("SECONDS");
+}
+
+void PartOptions::apply(Config& config) const {
+  if (start_s) config.capture.start_s = *start_s;
+  if (duration_s) config.capture.duration_s = *duration_s;
+}
+
 }  // namespace pago::app

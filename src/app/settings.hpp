@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -21,6 +22,14 @@ struct SettingsOptions {
   void add_to(CLI::App& command);
   /// The defaults, changed by the file and then by the assignments. Throws Error; not validated yet.
   Config load() const;
+};
+
+/// The options by which a command takes a part of a capture only.
+struct PartOptions {
+  std::optional<double> start_s, duration_s;
+
+  void add_to(CLI::App& command);
+  void apply(Config& config) const;
 };
 
 }  // namespace pago::app

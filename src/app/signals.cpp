@@ -18,8 +18,9 @@ void stop_on_signals() {
     flag.store(true, std::memory_order_relaxed);
     std::signal(signal, SIG_DFL);
   };
-  std::signal(SIGINT, handler);
-  std::signal(SIGTERM, handler);
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) std::signal(signal, handler);
+  // Whoever read the messages or poses may have gone: that is found where they are written.
+  std::signal(SIGPIPE, SIG_IGN);
 }
 
 const std::atomic<bool>& stop_flag() noexcept {

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cassert>
-#include <utility>
 
 namespace pago {
 
@@ -14,8 +13,13 @@ void PacketCopy::take(const StampedPacket& packet) noexcept {
   arrival_ns = packet.arrival_ns;
 }
 
-PacketSequencer::PacketSequencer(int window, std::int64_t packet_period_ns)
-    : packet_period_ns_(packet_period_ns), window_(static_cast<std::size_t>(window)), slots_(window_ + 1) {}
+PacketSequencer::PacketSequencer(int window)
+    : window_(static_cast<std::size_t>(window)), slots_(window_ + 1) {}
+
+void PacketSequencer::set_format(const hdl64::StreamFormat& format) noexcept {
+  packet_period_ns_ = format.packet_period_ns();
+  firings_per_packet_ = static_cast<std::uint64_t>(format.firings());
+}
 
 PacketSequencer::Verdict PacketSequencer::offer(const StampedPacket& packet) noexcept {
   const Identity identity = identify(packet);
@@ -53,13 +57,9 @@ void PacketSequencer::restart() noexcept {
   recent_ = {};
 }
 
-std::uint64_t PacketSequencer::forget() noexcept {
-  const std::uint64_t dropped = std::exchange(held_, 0);
-  for (Slot& slot : slots_) slot.is_used = false;
-  firings_ = {};
-  reordered_ = 0;
-  restart();
-  return dropped;
+void PacketSequencer::excuse(std::uint64_t firings) noexcept {
+  firings_.lost -= firings;
+  firings_.blind += firings;
 }
 
 std::int64_t PacketSequencer::periods_after_last(std::int64_t time_ns) const noexcept {
@@ -76,10 +76,11 @@ bool PacketSequencer::is_known(const Identity& packet) const noexcept {
 
 void PacketSequencer::emit(const Identity& packet) noexcept {
   // Held packets may lie closer together than a period where a stamp is damaged: each counts as one.
-  const std::int64_t periods = started_ ? std::max<std::int64_t>(1, periods_after_last(packet.time_ns)) : 1;
-  firings_.expected += static_cast<std::uint64_t>(periods * hdl64::kFirings);
-  firings_.lost += static_cast<std::uint64_t>((periods - 1) * hdl64::kFirings);
-  firings_.decoded += hdl64::kFirings;
+  periods_on_ = started_ ? std::max<std::int64_t>(1, periods_after_last(packet.time_ns)) : 1;
+  const auto periods = static_cast<std::uint64_t>(periods_on_);
+  firings_.expected += periods * firings_per_packet_;
+  firings_.lost += (periods - 1) * firings_per_packet_;
+  firings_.decoded += firings_per_packet_;
   started_ = true;
   last_ns_ = packet.time_ns;
   recent_[next_recent_] = packet;

@@ -3,18 +3,18 @@
 #include "pago/assembly/self_filter.hpp"
 
 #include <algorithm>
+#include <bit>
 
 namespace pago {
 
 namespace {
 
-/// Whether any of the first `size` returns is nearer; reads all lanes, so that it becomes vector code.
+/// Whether anything is nearer, returns or what stands in the lanes without one; so it becomes vector code.
 bool any_nearer(const hdl64::FiringReturns& returns, float range_sq_m2) noexcept {
   int nearer = 0;
-  for (int i = 0; i < hdl64::kLasers; ++i) {
-    const auto k = static_cast<std::size_t>(i);
-    const float x = returns.x_m[k], y = returns.y_m[k], z = returns.z_m[k];
-    nearer |= (x * x + y * y + z * z < range_sq_m2) & (i < returns.size) ? 1 : 0;
+  for (std::size_t i = 0; i < hdl64::kLasers; ++i) {
+    const float x = returns.x_m[i], y = returns.y_m[i], z = returns.z_m[i];
+    nearer |= x * x + y * y + z * z < range_sq_m2 ? 1 : 0;
   }
   return nearer != 0;
 }
@@ -37,22 +37,14 @@ SelfFilter::SelfFilter(const VehicleConfig& vehicle, const Mount& mount) {
 }
 
 int SelfFilter::remove_own(hdl64::FiringReturns& returns) const noexcept {
-  if (!any_nearer(returns, reach_sq_m2_)) return 0;
-  int kept = 0;
-  for (int i = 0; i < returns.size; ++i) {
-    const auto from = static_cast<std::size_t>(i), to = static_cast<std::size_t>(kept);
-    if (is_own(returns.x_m[from], returns.y_m[from], returns.z_m[from])) continue;
-    returns.x_m[to] = returns.x_m[from];
-    returns.y_m[to] = returns.y_m[from];
-    returns.z_m[to] = returns.z_m[from];
-    returns.intensity[to] = returns.intensity[from];
-    returns.ring[to] = returns.ring[from];
-    returns.laser[to] = returns.laser[from];
-    ++kept;
+  if (returns.valid == 0 || !any_nearer(returns, reach_sq_m2_)) return 0;
+  std::uint64_t own = 0;
+  for (std::uint64_t rest = returns.valid; rest != 0; rest &= rest - 1) {
+    const auto i = static_cast<std::size_t>(std::countr_zero(rest));
+    if (is_own(returns.x_m[i], returns.y_m[i], returns.z_m[i])) own |= rest & ~(rest - 1);
   }
-  const int removed = returns.size - kept;
-  returns.size = kept;
-  return removed;
+  returns.valid &= ~own;
+  return std::popcount(own);
 }
 
 }  // namespace pago

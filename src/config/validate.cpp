@@ -24,6 +24,12 @@ bool are_whole(std::span<const double> numbers) {
 }
 
 constexpr std::array kRules{
+    Rule{[](const Config& c) { return c.assembly.max_returns == 0 || c.assembly.max_returns >= 64'000; },
+         "a sweep must hold 64,000 returns at least, or 0 for as many as the sensor needs",
+         {"assembly.max_returns", ""}},
+    Rule{[](const Config& c) { return c.record.keep_files == 0 || c.record.file_mb > 0; },
+         "there are files to be kept or not only where their size is limited",
+         {"record.keep_files", "record.file_mb"}},
     Rule{[](const Config& c) { return c.hdl64.min_range_m < c.hdl64.max_range_m; },
          "the sensor's nearest range must be below its farthest",
          {"hdl64.min_range_m", "hdl64.max_range_m"}},

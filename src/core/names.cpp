@@ -12,8 +12,20 @@ std::string_view to_string(Health health) noexcept {
 
 std::string_view to_string(HealthReason reason) noexcept {
   constexpr std::array<std::string_view, static_cast<std::size_t>(HealthReason::kCount)> kWords{
-      "",           "first sweep",      "too few features", "motion not observable", "implausible motion",
-      "not finite", "incomplete sweep", "time gap",         "refused scan"};
+      "",
+      "first sweep",
+      "motion not known yet",
+      "too few features",
+      "motion not observable",
+      "implausible motion",
+      "not finite",
+      "incomplete sweep",
+      "time gap",
+      "refused scan",
+      "no data",
+      "poor fit to the map",
+      "local map begun anew",
+      "cut short by the deadline"};
   return kWords[static_cast<std::size_t>(reason)];
 }
 

@@ -7,31 +7,21 @@
 
 #include "number_rows.hpp"
 #include "pago/core/error.hpp"
+#include "pago/core/semantic_kitti.hpp"
 
 namespace pago::evaluation {
 namespace {
 
 enum class Truth { kGround, kNonGround, kExcluded };
 
-/// Class numbers: semantic-kitti.yaml of the SemanticKITTI API.
 Truth truth_of(GroundProtocol protocol, std::uint32_t label, bool is_low) {
-  switch (label & 0xFFFFU) {
-    case 0:  // unlabelled
-    case 1:  // outlier
-      return Truth::kExcluded;
-    case 40:  // road
-    case 44:  // parking
-    case 48:  // sidewalk
-    case 49:  // other ground
-    case 60:  // lane marking
-    case 72:  // terrain
-      return Truth::kGround;
-    case 70:  // vegetation
-      if (protocol == GroundProtocol::kPatchworkPlusPlus) return Truth::kExcluded;
-      return is_low ? Truth::kGround : Truth::kNonGround;
-    default:
-      return Truth::kNonGround;
-  }
+  namespace classes = semantic_kitti;
+  const auto name = static_cast<std::uint16_t>(label & 0xFFFFU);
+  if (name == classes::kUnlabelled || name == classes::kOutlier) return Truth::kExcluded;
+  if (classes::is_ground(name)) return Truth::kGround;
+  if (name != classes::kVegetation) return Truth::kNonGround;
+  if (protocol == GroundProtocol::kPatchworkPlusPlus) return Truth::kExcluded;
+  return is_low ? Truth::kGround : Truth::kNonGround;
 }
 
 std::uint64_t& cell(GroundCounts& counts, Truth truth, bool is_claimed) {
@@ -78,6 +68,16 @@ GroundCounts count_ground(GroundProtocol protocol,
   counts.protocol = protocol;
   for (std::size_t i = 0; i < z_m.size(); ++i)
     ++cell(counts, truth_of(protocol, labels[i], z_m[i] < vegetation_cut_m), mask[i] != 0);
+  return counts;
+}
+
+GroundCounts count_ground(GroundProtocol protocol, const Sweep& sweep, float vegetation_cut_m) {
+  GroundCounts counts;
+  counts.protocol = protocol;
+  for (std::uint32_t i = 0; i < sweep.size; ++i) {
+    const Truth truth = truth_of(protocol, sweep.label[i], sweep.z_m[i] < vegetation_cut_m);
+    ++cell(counts, truth, sweep.ground[i] != 0);
+  }
   return counts;
 }
 

@@ -12,11 +12,13 @@ namespace pago::features {
 FeaturesStage::FeaturesStage(const FeaturesConfig& config, std::uint32_t max_returns)
     : config_(config),
       clusterer_(config.clustering, max_returns),
+      thinner_(config.thinning, max_returns),
       ring_(kMaxColumns),
       candidates_(kMaxColumns),
       is_edge_(kMaxColumns) {}
 
 void FeaturesStage::finish(Sweep& sweep) noexcept {
+  thinner_.finish(sweep);
   clusterer_.label(sweep);
   for (int ring = 0; ring < kNumRings; ++ring) {
     load_ring(sweep, ring);
@@ -103,17 +105,13 @@ void FeaturesStage::select_planars(FeatureLists& lists,
   }
 }
 
-// All that is no edge, thinned along the ring: what later sweeps find planes in.
+// All that is no edge, thinned: what later sweeps find planes in.
 void FeaturesStage::keep_targets(Sweep& sweep) noexcept {
-  const auto spacing_sq = static_cast<float>(config_.planar_spacing_m * config_.planar_spacing_m);
-  float x = 1e9F, y = 1e9F, z = 1e9F;
+  const SpacingSampler sampler(config_.planar_spacing_m, sweep.header.num_columns,
+                               static_cast<std::uint32_t>(sweep.header.sequence));
   for (std::size_t n = 0; n < ring_.size; ++n) {
-    if (is_edge_[n]) continue;
-    const std::uint32_t i = ring_.index[n];
-    const float dx = sweep.x_m[i] - x, dy = sweep.y_m[i] - y, dz = sweep.z_m[i] - z;
-    if (dx * dx + dy * dy + dz * dz < spacing_sq) continue;
-    sweep.features.planars.push_back(i);
-    x = sweep.x_m[i], y = sweep.y_m[i], z = sweep.z_m[i];
+    if (is_edge_[n] == 0 && sampler.keeps(ring_.index[n], ring_.range_m[n] * ring_.range_m[n]))
+      sweep.features.planars.push_back(ring_.index[n]);
   }
 }
 

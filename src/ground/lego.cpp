@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 // The column test of LeGO-LOAM (Shan and Englot, IROS 2018; groundRemoval in its imageProjection). It has no
-// test of height, so car roofs and hedges pass. Parameters and their sources in config/ground.hpp.
+// test of height, so car roofs and hedges pass. Parameters and their sources in config/ground/lego.hpp.
 //
 // Differs from the authors' code with the `ring` projection: vertical neighbours are returns of neighbouring
 // lasers in one firing, not pixels that several beams share or none meets, and a missing neighbour does not

@@ -14,7 +14,7 @@ namespace pago::ground {
 class LowestMean {
  public:
   /// [set-up] For lists of up to `max_values`; allocates.
-  explicit LowestMean(std::size_t max_values) : candidates_(max_values) {}
+  explicit LowestMean(std::size_t max_values);
 
   /// [front thread] Of the `count` (at least 1) lowest of those values that are not below `floor`; of all of
   /// these when they are fewer; nothing when there is none. No value may be NaN.

@@ -8,7 +8,11 @@
 /// [set-up], throw Error on settings that contradict each other, and allocate for up to `max_returns`.
 namespace pago::ground {
 
-std::unique_ptr<Segmenter> make_lego(const GroundConfig&, const Mount&, std::uint32_t max_returns);
-std::unique_ptr<Segmenter> make_patchwork(const GroundConfig&, const Mount&, std::uint32_t max_returns);
+using MakeSegmenter = std::unique_ptr<Segmenter>(const GroundConfig&,
+                                                 const Mount&,
+                                                 std::uint32_t max_returns);
+
+MakeSegmenter make_cascaded, make_gpf, make_lego, make_linefit, make_none, make_patchwork,
+    make_patchwork_hdl64, make_patchworkpp, make_ransac, make_rgpf, make_truth, make_truth_errors;
 
 }  // namespace pago::ground

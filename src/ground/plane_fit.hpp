@@ -3,8 +3,9 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <limits>
 
-#include "polar_bins.hpp"
+#include "points.hpp"
 
 namespace pago::ground {
 
@@ -14,6 +15,25 @@ struct HalfSpace {
   float offset_m = 0.0F;
 
   static HalfSpace below_height(float height_m) { return {0.0F, 0.0F, 1.0F, height_m}; }
+  static HalfSpace nothing() { return {0.0F, 0.0F, 0.0F, -std::numeric_limits<float>::infinity()}; }
+
+  bool holds(float x_m, float y_m, float z_m) const noexcept {
+    return normal_x * x_m + normal_y * y_m + normal_z * z_m < offset_m;
+  }
+};
+
+/// All points p with lower_m < normal . p < upper_m.
+struct Slab {
+  float normal_x = 0.0F, normal_y = 0.0F, normal_z = 1.0F;
+  float lower_m = 0.0F, upper_m = 0.0F;
+
+  /// Everything less than `reach_m` on either side of the plane normal . p = offset_m.
+  static Slab around(const Eigen::Vector3d& normal, double offset_m, double reach_m);
+
+  bool holds(float x_m, float y_m, float z_m) const noexcept {
+    const float along_m = normal_x * x_m + normal_y * y_m + normal_z * z_m;
+    return (lower_m < along_m) & (along_m < upper_m);
+  }
 };
 
 /// How many points, and their mean and covariance (divided by the number of points).
@@ -23,11 +43,16 @@ struct PointStatistics {
   Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();
 };
 
-/// Of the points inside the half-space. The sums are taken about `origin`, in float: choose it near the
-/// points (a few metres away the covariance is good to 1e-5 m^2).
-PointStatistics statistics_inside(const BinPoints& points,
+/// Of the points inside. The sums are taken about `origin`, in float: choose it near the
+/// points (a few metres away the covariance is good to 1e-5 m^2). No point may be infinite.
+PointStatistics statistics_inside(const Points& points,
                                   const HalfSpace& inside,
                                   const Eigen::Vector3f& origin) noexcept;
+PointStatistics statistics_inside(const Points& points,
+                                  const Slab& inside,
+                                  const Eigen::Vector3f& origin) noexcept;
+
+std::size_t count_inside(const Points& points, const Slab& slab) noexcept;
 
 /// The plane with the least squared distances to some points.
 struct PlaneFit {
@@ -41,6 +66,12 @@ struct PlaneFit {
 
   /// Everything less than `thickness_m` above the plane.
   HalfSpace below(double thickness_m) const noexcept;
+  /// Not finite for an upright plane.
+  double height_at(const Eigen::Vector2d& xy) const noexcept {
+    return mean.z() - normal.head<2>().dot(xy - mean.head<2>()) / normal.z();
+  }
+  /// Everything less than `reach_m` above or below it.
+  Slab around(double reach_m) const noexcept { return Slab::around(normal, normal.dot(mean), reach_m); }
 };
 
 PlaneFit fit_plane(const PointStatistics& points) noexcept;

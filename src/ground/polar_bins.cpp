@@ -46,11 +46,16 @@ void PolarGrid::add_cells(const PolarZone& zone, int zone_index, double upper_m)
     const double range_m = zone.lower_m + (ring + 0.5) * ring_width_m;
     for (int sector = 0; sector < zone.sectors; ++sector) {
       const double azimuth_rad = (sector + 0.5) * sector_rad;
-      cells_.push_back({zone_index, first_ring + ring, static_cast<float>(range_m * std::cos(azimuth_rad)),
-                        static_cast<float>(range_m * std::sin(azimuth_rad))});
+      cells_.push_back({.zone = zone_index,
+                        .ring = first_ring + ring,
+                        .right_turns = static_cast<float>(sector) / static_cast<float>(zone.sectors),
+                        .left_turns = static_cast<float>(sector + 1) / static_cast<float>(zone.sectors),
+                        .centre_x_m = static_cast<float>(range_m * std::cos(azimuth_rad)),
+                        .centre_y_m = static_cast<float>(range_m * std::sin(azimuth_rad))});
     }
   }
-  if (num_bins() > kMaxBins) throw Error("polar grid", "has more than 65,534 bins");
+  if (num_bins() > BinSort::kMaxBins)
+    throw Error("polar grid", "has " + std::to_string(num_bins()) + " bins", "up to 65,534 can be numbered");
 }
 
 void PolarGrid::locate(const Coordinates& returns,
@@ -96,44 +101,23 @@ void PolarGrid::locate(const Coordinates& returns,
 
 PolarBins::PolarBins(PolarGrid grid, std::uint32_t max_returns)
     : grid_(std::move(grid)),
-      bin_of_(max_returns),
-      next_(static_cast<std::size_t>(grid_.num_bins()) + 1),
-      begin_(static_cast<std::size_t>(grid_.num_bins()) + 2),
-      x_m_(max_returns),
-      y_m_(max_returns),
-      z_m_(max_returns) {}
+      sorted_(grid_.num_bins(), max_returns),
+      swept_(static_cast<std::size_t>(grid_.num_bins())) {}
 
 void PolarBins::locate(const Coordinates& returns, std::uint32_t until, float min_z_m) noexcept {
-  if (until <= located_) return;
-  grid_.locate(returns, located_, until, min_z_m, bin_of_.data());
-  located_ = until;
+  if (until <= located()) return;
+  grid_.locate(returns, located(), until, min_z_m, sorted_.bin_of());
+  sorted_.note(until);
 }
 
-void PolarBins::group(const Coordinates& returns) noexcept {
-  std::fill(next_.begin(), next_.end(), 0U);
-  for (const std::uint16_t bin : bin_of_.first(located_)) ++next_[bin];
-
-  std::uint32_t sum = 0;
-  for (std::size_t bin = 0; bin < next_.size(); ++bin) {
-    begin_[bin] = sum;
-    sum += next_[bin];
-    next_[bin] = begin_[bin];
+void PolarBins::sort_swept(const Coordinates& returns, const SweptArc& arc) noexcept {
+  swept_.clear();
+  for (int bin = 0; bin < grid_.num_bins(); ++bin) {
+    const PolarCell& cell = grid_.cell(bin);
+    if (!sorted_.is_sorted(bin) && arc.holds(cell.right_turns, cell.left_turns))
+      swept_.push_back(static_cast<std::uint16_t>(bin));
   }
-  begin_[next_.size()] = sum;
-
-  for (std::uint32_t i = 0; i < located_; ++i) {
-    const std::uint32_t to = next_[bin_of_[i]]++;
-    x_m_[to] = returns.x_m[i];
-    y_m_[to] = returns.y_m[i];
-    z_m_[to] = returns.z_m[i];
-  }
-}
-
-BinPoints PolarBins::points(int bin) const noexcept {
-  const std::size_t b = static_cast<std::size_t>(bin);
-  const std::size_t begin = begin_[b];
-  const std::size_t size = begin_[b + 1] - begin;
-  return {{x_m_.data() + begin, size}, {y_m_.data() + begin, size}, {z_m_.data() + begin, size}};
+  sorted_.sort(returns, swept_.view());
 }
 
 }  // namespace pago::ground

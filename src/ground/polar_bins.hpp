@@ -7,7 +7,9 @@
 #include <span>
 #include <vector>
 
+#include "bin_sort.hpp"
 #include "level.hpp"
+#include "swept_arc.hpp"
 
 namespace pago::ground {
 
@@ -17,10 +19,11 @@ struct PolarZone {
   int rings = 1, sectors = 1;
 };
 
-/// Where a bin lies.
+/// Where a bin lies. Azimuths are in turns, from the x axis to the left.
 struct PolarCell {
   int zone = 0;
   int ring = 0;  ///< counted from the innermost of all zones
+  float right_turns = 0.0F, left_turns = 0.0F;
   float centre_x_m = 0.0F, centre_y_m = 0.0F;
 };
 
@@ -29,10 +32,9 @@ struct PolarCell {
 class PolarGrid {
  public:
   static constexpr std::size_t kMaxZones = 4;
-  static constexpr int kMaxBins = 65534;
 
   /// [set-up] Covers lower_m of the first zone < range <= upper_m. Throws Error unless the bounds rise and
-  /// there are at most kMaxBins.
+  /// there are at most BinSort::kMaxBins.
   PolarGrid(std::span<const PolarZone> zones, double upper_m);
 
   int num_bins() const noexcept { return static_cast<int>(cells_.size()); }
@@ -58,41 +60,37 @@ class PolarGrid {
   std::vector<PolarCell> cells_;
 };
 
-/// Returns of one bin, contiguous, in the sweep's order.
-struct BinPoints {
-  std::span<const float> x_m, y_m, z_m;
-  std::size_t size() const noexcept { return z_m.size(); }
-};
-
-/// The returns of a sweep sorted into the bins of a grid by one counting sort. Locating may go along with the
-/// sweep's parts; grouping needs them all. [front thread] everything but the constructor; real-time safe.
+/// The returns of a sweep in the bins of a grid, sorted when the sweep has ended or, bin by bin, while it
+/// arrives. [front thread] everything but the constructor; real-time safe.
 class PolarBins {
  public:
-  /// [set-up] allocates.
+  /// [set-up] Allocates.
   PolarBins(PolarGrid grid, std::uint32_t max_returns);
 
   const PolarGrid& grid() const noexcept { return grid_; }
-  void clear() noexcept { located_ = 0; }
-  std::uint32_t located() const noexcept { return located_; }
+
+  void begin() noexcept { sorted_.begin(); }
+  std::uint32_t located() const noexcept { return sorted_.noted(); }
 
   /// Locates returns [located(), until).
   void locate(const Coordinates& returns, std::uint32_t until, float min_z_m) noexcept;
 
-  /// Copies the located returns into their bins.
-  void group(const Coordinates& returns) noexcept;
+  /// Sorts the bins that lie wholly within the arc, as far as they are not yet.
+  void sort_swept(const Coordinates& returns, const SweptArc& arc) noexcept;
+  /// Sorts all others; or all bins again, should a return have come for a sorted one.
+  void sort_rest(const Coordinates& returns) noexcept { sorted_.sort_rest(returns); }
+
+  /// Whether the last call of the two above has sorted this bin.
+  bool is_fresh(int bin) const noexcept { return sorted_.is_fresh(bin); }
 
   /// Bin of every located return; grid().num_bins() = none.
-  const std::uint16_t* bin_of() const noexcept { return bin_of_.data(); }
-
-  BinPoints points(int bin) const noexcept;
+  const std::uint16_t* bin_of() const noexcept { return sorted_.bin_of(); }
+  Points points(int bin) const noexcept { return sorted_.points(bin); }
 
  private:
   PolarGrid grid_;
-  std::uint32_t located_ = 0;
-  AlignedArray<std::uint16_t> bin_of_;
-  AlignedArray<std::uint32_t> next_;   // per bin, while grouping: where its next return goes
-  AlignedArray<std::uint32_t> begin_;  // per bin and one beyond the last
-  AlignedArray<float> x_m_, y_m_, z_m_;
+  BinSort sorted_;
+  FixedVector<std::uint16_t> swept_;
 };
 
 }  // namespace pago::ground

@@ -17,27 +17,23 @@
 namespace pago::hdl64 {
 namespace {
 
-/// What a figure must satisfy: limits far beyond every real unit (radians, metres), so that only a wrong
-/// unit or a damaged file fails.
+/// Whether a file must give a figure (in the order of kLimits).
 struct FigureRule {
-  double min, max;
   bool required;     ///< by every laser
   bool all_or_none;  ///< a file that gives it for some lasers only is cut short
-  double LaserCalibration::*member;
 };
 constexpr std::array<FigureRule, kMinIntensity> kRules{{
-    {-15.0 * kDegree, 15.0 * kDegree, true, true, &LaserCalibration::rotation_rad},
-    {-30.0 * kDegree, 30.0 * kDegree, true, true, &LaserCalibration::vertical_rad},
-    {0.0, 2.5, true, true, &LaserCalibration::distance_m},
-    {0.0, 2.7, false, false, &LaserCalibration::distance_x_m},
-    {0.0, 2.7, false, false, &LaserCalibration::distance_y_m},
-    {0.0, 0.3, false, true, &LaserCalibration::vertical_offset_m},
-    {-0.05, 0.05, false, true, &LaserCalibration::horizontal_offset_m},
-    {0.0, 131.0, false, true, &LaserCalibration::focal_distance_m},
-    {0.0, 20.0, false, true, &LaserCalibration::focal_slope},
+    {true, true},
+    {true, true},
+    {true, true},
+    {false, false},
+    {false, false},
+    {false, true},
+    {false, true},
+    {false, true},
+    {false, true},
 }};
-constexpr double kMaxNearDifference_m =
-    0.2;  ///< between the near point's distance correction and the far one's
+static_assert(kRules.size() == kLimits.size());
 constexpr std::size_t kMaxFileBytes = 4 << 20;  ///< real ones have 20 to 50 kB
 
 std::string short_number(double value) {
@@ -129,12 +125,10 @@ double checked(
   return value * unit;
 }
 
-/// Files without a near point leave its figures out, or write zeros for all.
 void convert_near_point(const CalibrationFile& file, const LaserEntry& entry, LaserCalibration& laser) {
-  if (laser.distance_x_m == 0.0) laser.distance_x_m = laser.distance_m;
-  if (laser.distance_y_m == 0.0) laser.distance_y_m = laser.distance_m;
+  fill_near_point(laser);
   for (const Figure figure : {kDistanceX, kDistanceY})
-    if (std::abs(laser.*kRules[figure].member - laser.distance_m) >= kMaxNearDifference_m)
+    if (std::abs(laser.*kLimits[figure].member - laser.distance_m) >= kMaxNearDifference_m)
       throw Error(at_line(file.name, entry.line),
                   std::string(file.dialect[figure].key) + " of laser " + std::to_string(entry.id) +
                       " is 0.2 m or more off its " + file.dialect[kDistance].key);
@@ -151,8 +145,8 @@ void convert_intensities(const CalibrationFile& file, const LaserEntry& entry, L
 
 LaserCalibration convert(const CalibrationFile& file, const LaserEntry& entry) {
   LaserCalibration laser;
-  for (std::size_t figure = 0; figure < kRules.size(); ++figure)
-    laser.*kRules[figure].member = checked(file, entry, figure, kRules[figure].min, kRules[figure].max);
+  for (std::size_t figure = 0; figure < kLimits.size(); ++figure)
+    laser.*kLimits[figure].member = checked(file, entry, figure, kLimits[figure].min, kLimits[figure].max);
   convert_near_point(file, entry, laser);
   convert_intensities(file, entry, laser);
   laser.enabled = entry.enabled;

@@ -8,6 +8,8 @@
 #include <string_view>
 #include <vector>
 
+#include "laser_limits.hpp"
+
 /// A calibration file as it is written, before its figures are checked and converted: what the two formats
 /// have in common.
 namespace pago::hdl64 {
@@ -34,7 +36,6 @@ struct FigureName {
 };
 using Dialect = std::array<FigureName, kNumFigures>;
 
-inline constexpr double kDegree = 3.14159265358979323846 / 180.0;
 inline constexpr Dialect kDbXml{{{"rotCorrection_", kDegree},
                                  {"vertCorrection_", kDegree},
                                  {"distCorrection_", 0.01},

@@ -18,6 +18,9 @@ constexpr std::int64_t kCounter_us = std::int64_t{1} << 32U;
 /// Within these a stamp continues the newest one whatever the host's clock says. Backwards: packets that
 /// overtook each other.
 constexpr std::int64_t kAhead_us = 500'000, kBehind_us = 20'000;
+/// But where it is no neighbour of the newest and the host says that whole hours have passed, they have: a
+/// host that was suspended. A host's clock that was set by hours shows between neighbours.
+constexpr std::int64_t kNeighbour_us = 2'000, kWholeHours_us = 550'000;
 /// How far device and host may disagree about the length of a silence: a constant and a drift of 1 %.
 constexpr std::int64_t kDisagreement_us = 2'000'000, kDriftDivisor = 100;
 /// Implausible stamps that continue each other are a clock; a damaged one has no successor, and a bunch of
@@ -45,8 +48,10 @@ DeviceClock::Reading DeviceClock::read(std::uint32_t stamp_us, std::int64_t arri
   if (!started_) return start(stamp_us, arrival_ns);
   const std::int64_t difference_us = stamp_us - stamp_us_;
   std::int64_t step_us = shortest_us(difference_us);
-  if (step_us < -kBehind_us || step_us > kAhead_us) {
-    const std::int64_t silence_us = (arrival_ns - arrival_ns_) / 1000;
+  const std::int64_t silence_us = (arrival_ns - arrival_ns_) / 1000;
+  const bool hours_passed = std::abs(step_us) > kNeighbour_us && silence_us > kHour_us / 2 &&
+                            std::abs(silence_us - nearest_multiple(silence_us, kHour_us)) < kWholeHours_us;
+  if (step_us < -kBehind_us || step_us > kAhead_us || hours_passed) {
     step_us = difference_us + nearest_multiple(silence_us - difference_us, kHour_us);
     const std::int64_t tolerance_us = kDisagreement_us + std::abs(silence_us) / kDriftDivisor;
     if (step_us <= 0 || std::abs(step_us - silence_us) > tolerance_us) return doubt(stamp_us, arrival_ns);

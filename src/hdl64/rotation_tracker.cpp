@@ -9,14 +9,10 @@ namespace pago::hdl64 {
 
 namespace {
 
-constexpr double kPeriod_s = static_cast<double>(kFiringPeriod_ns) * 1e-9;
-constexpr double kPacketPeriod_s = static_cast<double>(kPacketPeriod_ns) * 1e-9;
-
 /// An azimuth this far from the line is wrong (a damaged packet) or the line is.
 constexpr double kGate_rev = 0.5 / 360.0;
 /// Wider gate for the first guess: a rate from within packets is good to one encoder step per packet length.
 constexpr double kFirstGate_rev = kEncoderStep_rev;
-constexpr double kFirstGate_rev_s = kEncoderStep_rev / (5.0 * kPeriod_s);
 /// Lines farther apart than this differ because the speed changes: at a steady speed rounding parts them by a
 /// tenth of a step, except within 0.5 % of speeds that advance whole steps per firing (10.417 Hz and its
 /// multiples), where rounding repeats itself and no fit can do better than half a step.
@@ -35,17 +31,23 @@ double wrapped(double revolutions) noexcept {
   return revolutions - std::nearbyint(revolutions);
 }
 
-double encoder_rev(const PacketAzimuths& packet, int firing) noexcept {
-  return packet.azimuth_cdeg[static_cast<std::size_t>(firing)] * (1.0 / kAzimuthSteps) +
+double encoder_rev(const PacketAzimuths& packet, int sample) noexcept {
+  return packet.azimuth_cdeg[static_cast<std::size_t>(sample)] * (1.0 / kAzimuthSteps) +
          0.5 * kEncoderStep_rev;
 }
 
-/// The speed as most packets see it between their own first and last firing.
-double median_rate_rev_s(std::span<const PacketAzimuths> block) noexcept {
+double span_s(const AzimuthTimes& times) noexcept {
+  return times.after_s[static_cast<std::size_t>(times.size - 1)];
+}
+
+/// The speed as most packets see it between their own first and last azimuth.
+double median_rate_rev_s(const AzimuthTimes& times, std::span<const PacketAzimuths> block) noexcept {
   std::array<double, kMaxGuesses> rates;
   const std::size_t n = std::min(block.size(), kMaxGuesses);
-  for (std::size_t i = 0; i < n; ++i)
-    rates[i] = wrapped(encoder_rev(block[i], kFirings - 1) - encoder_rev(block[i], 0)) / (5.0 * kPeriod_s);
+  for (std::size_t i = 0; i < n; ++i) {
+    const double turned = wrapped(encoder_rev(block[i], times.size - 1) - encoder_rev(block[i], 0));
+    rates[i] = turned / span_s(times);
+  }
   const auto middle = rates.begin() + static_cast<std::ptrdiff_t>(n / 2);
   std::nth_element(rates.begin(), middle, rates.begin() + static_cast<std::ptrdiff_t>(n));
   return *middle;
@@ -53,16 +55,17 @@ double median_rate_rev_s(std::span<const PacketAzimuths> block) noexcept {
 
 /// Adds those azimuths of a packet that lie within `gate_rev` of the line to `seen`; returns their number.
 int collect(const FadingLine& line,
+            const AzimuthTimes& times,
             const PacketAzimuths& packet,
             double gate_rev,
             LineMoments& seen) noexcept {
   const double first_t_s = seconds(packet.time_ns - line.origin_ns());
   const double first_rev = line.at(packet.time_ns);
   int fitting = 0;
-  for (int firing = 0; firing < kFirings; ++firing) {
-    const double offset_s = firing * kPeriod_s;
+  for (int i = 0; i < times.size; ++i) {
+    const double offset_s = times.after_s[static_cast<std::size_t>(i)];
     const double expected = first_rev + line.rate_rev_s() * offset_s;
-    const double residual = wrapped(encoder_rev(packet, firing) - expected);
+    const double residual = wrapped(encoder_rev(packet, i) - expected);
     if (std::abs(residual) > gate_rev) continue;
     seen.add(first_t_s + offset_s, residual);
     ++fitting;
@@ -72,6 +75,7 @@ int collect(const FadingLine& line,
 
 /// Azimuths of the block within a gate that widens with the distance from the line's origin.
 int collect(const FadingLine& line,
+            const AzimuthTimes& times,
             std::span<const PacketAzimuths> block,
             double gate_rev,
             double gate_rev_s,
@@ -79,20 +83,22 @@ int collect(const FadingLine& line,
   int fitting = 0;
   for (const PacketAzimuths& packet : block) {
     const double gate = gate_rev + gate_rev_s * std::abs(seconds(packet.time_ns - line.origin_ns()));
-    fitting += collect(line, packet, gate, seen);
+    fitting += collect(line, times, packet, gate, seen);
   }
   return fitting;
 }
 
 /// The line at the median speed through one of the block's packets, the one that most azimuths agree with.
-FadingLine first_guess(FadingLine line, std::span<const PacketAzimuths> block) noexcept {
-  const double rate_rev_s = median_rate_rev_s(block);
+FadingLine first_guess(FadingLine line,
+                       const AzimuthTimes& times,
+                       std::span<const PacketAzimuths> block) noexcept {
+  const double rate_rev_s = median_rate_rev_s(times, block);
   FadingLine best = line;
   int most = -1;
   for (std::size_t i = 0; i < block.size(); i += 1 + block.size() / 8) {
     line.start(block[i].time_ns, encoder_rev(block[i], 0), rate_rev_s);
     LineMoments unused;
-    const int fitting = collect(line, block, kFirstGate_rev, kFirstGate_rev_s, unused);
+    const int fitting = collect(line, times, block, kFirstGate_rev, kEncoderStep_rev / span_s(times), unused);
     if (fitting <= most) continue;
     most = fitting;
     best = line;
@@ -102,8 +108,26 @@ FadingLine first_guess(FadingLine line, std::span<const PacketAzimuths> block) n
 
 }  // namespace
 
-FadingLine::FadingLine(double memory_s) noexcept
-    : memory_s_(memory_s), packet_fade_(std::exp(-kPacketPeriod_s / memory_s)) {}
+PacketAzimuths PacketAzimuths::of(const PacketView& packet,
+                                  std::int64_t time_ns,
+                                  const StreamFormat& format) noexcept {
+  PacketAzimuths result{.time_ns = time_ns};
+  const int blocks_apart = format.kind == SensorKind::kHdl64S1 ? 1 : kBlocks / format.firings();
+  for (int block = 0; block < kBlocks; block += blocks_apart)
+    result.azimuth_cdeg[static_cast<std::size_t>(block / blocks_apart)] = packet.block_azimuth_cdeg(block);
+  return result;
+}
+
+AzimuthTimes AzimuthTimes::of(const StreamFormat& format, const BlockTimes& block_times_ns) noexcept {
+  AzimuthTimes times;
+  const int blocks_apart = format.kind == SensorKind::kHdl64S1 ? 1 : kBlocks / format.firings();
+  for (int block = 0; block < kBlocks; block += blocks_apart)
+    times.after_s[static_cast<std::size_t>(times.size++)] =
+        1e-9 * block_times_ns[static_cast<std::size_t>(block)];
+  return times;
+}
+
+FadingLine::FadingLine(double memory_s) noexcept : memory_s_(memory_s) {}
 
 void FadingLine::start(std::int64_t time_ns, double revolutions, double rate_rev_s) noexcept {
   origin_ns_ = time_ns;
@@ -113,16 +137,21 @@ void FadingLine::start(std::int64_t time_ns, double revolutions, double rate_rev
 }
 
 void FadingLine::follow(const FadingLine& other) noexcept {
-  const double memory_s = memory_s_, packet_fade = packet_fade_;
+  const double memory_s = memory_s_;
   *this = other;
   memory_s_ = memory_s;
-  packet_fade_ = packet_fade;
+  last_step_ns_ = 0;
+  last_fade_ = 1.0;
 }
 
 void FadingLine::advance(std::int64_t time_ns) noexcept {
   const std::int64_t dt_ns = time_ns - origin_ns_;
   const double dt = seconds(dt_ns);
-  const double fade = dt_ns == kPacketPeriod_ns ? packet_fade_ : std::exp(-dt / memory_s_);
+  if (dt_ns != last_step_ns_) {
+    last_step_ns_ = dt_ns;
+    last_fade_ = std::exp(-dt / memory_s_);
+  }
+  const double fade = last_fade_;
   revolutions_ += rate_rev_s_ * dt;
   origin_ns_ = time_ns;
   wtt_ = fade * (wtt_ - dt * (2.0 * wt_ - dt * w_));
@@ -149,19 +178,24 @@ LineMoments FadingLine::relative_to(const FadingLine& other, const LineMoments& 
   return result;
 }
 
+RotationTracker::RotationTracker() noexcept {
+  const StreamFormat format;
+  times_ = AzimuthTimes::of(format, format.block_times_ns());
+}
+
 bool RotationTracker::prime(std::span<const PacketAzimuths> block, bool same_clock) noexcept {
   const auto [oldest, newest] = std::minmax_element(
       block.begin(), block.end(), [](const auto& a, const auto& b) { return a.time_ns < b.time_ns; });
   const double counted = revolutions(newest_ns_), foretold = revolutions(oldest->time_ns);
   const bool could_foretell = is_spinning() && same_clock;
 
-  FadingLine line = first_guess(slow_, block);
+  FadingLine line = first_guess(slow_, times_, block);
   LineMoments wide;
-  collect(line, block, kFirstGate_rev, kFirstGate_rev_s, wide);
+  collect(line, times_, block, kFirstGate_rev, kEncoderStep_rev / span_s(times_), wide);
   line.correct(wide);
   line.start(newest->time_ns, line.at(newest->time_ns), line.rate_rev_s());
   LineMoments narrow;
-  collect(line, block, kGate_rev, 0.0, narrow);
+  collect(line, times_, block, kGate_rev, 0.0, narrow);
   line.correct(narrow);
 
   const double phase = line.at(oldest->time_ns);
@@ -181,10 +215,10 @@ bool RotationTracker::add(const PacketAzimuths& packet) noexcept {
   FadingLine line = slow_;
   line.advance(packet.time_ns);
   LineMoments seen;
-  const int fitting = collect(line, packet, kGate_rev, seen);
+  const int fitting = collect(line, times_, packet, kGate_rev, seen);
   if (fitting == 0) return false;
 
-  rejected_ += static_cast<std::uint64_t>(kFirings - fitting);
+  rejected_ += static_cast<std::uint64_t>(times_.size - fitting);
   newest_ns_ = packet.time_ns;
   slow_ = line;
   fast_.advance(packet.time_ns);
@@ -192,7 +226,8 @@ bool RotationTracker::add(const PacketAzimuths& packet) noexcept {
   slow_.correct(seen);
   fast_.correct(seen_by_fast);
   // After a loss the short memory knows too little to be right against the long one.
-  const bool is_fast_certain = fast_.weight() > 0.5 * kShortMemory_s / kPeriod_s;
+  const double spacing_s = span_s(times_) / (times_.size - 1);
+  const bool is_fast_certain = fast_.weight() > 0.5 * kShortMemory_s / spacing_s;
   const double apart = slow_.at(packet.time_ns) - fast_.at(packet.time_ns);
   if (is_fast_certain && std::abs(apart) > kReseed_rev) slow_.follow(fast_);
   return true;

@@ -5,8 +5,6 @@
 #include <algorithm>
 #include <cstring>
 
-#include "pago/hdl64/packet.hpp"
-
 namespace pago::hdl64 {
 namespace {
 
@@ -52,34 +50,7 @@ bool is_about(std::int64_t period_ns, std::int64_t nominal_ns) noexcept {
   return period_ns * 100 > nominal_ns * 94 && period_ns * 100 < nominal_ns * 106;
 }
 
-struct KindName {
-  std::string_view article, name;
-};
-constexpr std::array<KindName, static_cast<std::size_t>(SensorKind::kCount)> kNames{{
-    {"a ", "sensor that PaGO does not know"},
-    {"an ", "HDL-64E in single-return mode"},
-    {"an ", "HDL-64E S3 in dual-return mode"},
-    {"an ", "HDL-64E S1"},
-    {"an ", "HDL-64E S2 with the early trailer, which has no time stamps"},
-    {"an ", "HDL-32E"},
-    {"a ", "VLP-16"},
-    {"a ", "VLP-32C"},
-    {"a ", "VLS-128"},
-    {"an ", "HDL-32E, VLP-16 or VLP-32C"},
-}};
-
 }  // namespace
-
-std::string_view name(SensorKind kind) noexcept {
-  return kNames[static_cast<std::size_t>(kind)].name;
-}
-
-std::string refusal(SensorKind kind) {
-  if (is_supported(kind)) return {};
-  const KindName& words = kNames[static_cast<std::size_t>(kind)];
-  return "this stream comes from " + std::string(words.article) + std::string(words.name) +
-         "; PaGO reads the HDL-64E (S2, S2.1, S3) in single-return mode";
-}
 
 StreamProbe::Flags StreamProbe::classify(std::span<const std::uint8_t> packet) noexcept {
   int upper = 0, lower = 0, further = 0, in_turn = 0;

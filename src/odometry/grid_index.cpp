@@ -4,7 +4,7 @@
 
 namespace pago::odometry {
 
-void GridIndex::build(const FeatureCloud& cloud) noexcept {
+void GridIndex::build(const PointCloud& cloud) noexcept {
   std::fill(begin_.begin(), begin_.end(), 0U);
   for (std::size_t i = 0; i < cloud.size; ++i) {
     cell_of_[i] =
@@ -19,7 +19,7 @@ void GridIndex::build(const FeatureCloud& cloud) noexcept {
     const std::uint32_t to = begin_[cell_of_[i]]++;
     points_.x_m[to] = cloud.x_m[i], points_.y_m[to] = cloud.y_m[i], points_.z_m[to] = cloud.z_m[i];
     points_.before_s[to] = cloud.before_s[i];
-    points_.ring[to] = cloud.ring[i];
+    points_.tag[to] = cloud.tag[i];
   }
   for (std::size_t c = kCells; c > 0; --c) begin_[c] = begin_[c - 1];
   begin_[0] = 0;

@@ -11,7 +11,7 @@ namespace pago::odometry {
 namespace {
 
 constexpr int kRingReach = 2;  // LOAM: neighbours on rings up to 2.5 away
-constexpr int kPerRing = 3;
+constexpr int kMostPerRing = 3;
 
 /// The few nearest features of each ring around a centre ring, nearest first.
 class RingNeighbours {
@@ -44,7 +44,7 @@ class RingNeighbours {
     float distance_sq;
   };
   struct Row {
-    std::array<Entry, kPerRing> entries;
+    std::array<Entry, kMostPerRing> entries;
     int size = 0;
   };
   static std::size_t at(int i) noexcept { return static_cast<std::size_t>(i); }
@@ -60,7 +60,7 @@ class RingNeighbours {
 /// A handful of points about an origin of their own, as squares of coordinates would drown the spread.
 class Spread {
  public:
-  explicit Spread(const FeatureCloud& points, const Eigen::Vector3f& origin)
+  explicit Spread(const PointCloud& points, const Eigen::Vector3f& origin)
       : points_(points), origin_(origin) {}
 
   void add(std::uint32_t position) noexcept {
@@ -80,7 +80,7 @@ class Spread {
   }
 
  private:
-  const FeatureCloud& points_;
+  const PointCloud& points_;
   Eigen::Vector3f origin_;
   int size_ = 0;
   Eigen::Vector3d sum_ = Eigen::Vector3d::Zero();
@@ -101,12 +101,12 @@ std::optional<Neighbourhood> gather(const GridIndex& target,
                                     Radius neighbour_radius_m) noexcept {
   const std::int32_t nearest = target.nearest(query, radius_m);
   if (nearest < 0) return std::nullopt;
-  const FeatureCloud& points = target.points();
+  const PointCloud& points = target.points();
   const Eigen::Vector3f around = points.point(static_cast<std::size_t>(nearest));
-  Neighbourhood found{RingNeighbours(points.ring[static_cast<std::size_t>(nearest)], per_ring),
+  Neighbourhood found{RingNeighbours(points.tag[static_cast<std::size_t>(nearest)], per_ring),
                       Spread(points, around)};
   target.for_each_within(around, neighbour_radius_m(around), [&](std::uint32_t i, float distance_sq) {
-    found.neighbours.offer(i, distance_sq, points.ring[i]);
+    found.neighbours.offer(i, distance_sq, points.tag[i]);
   });
   return found;
 }
@@ -129,8 +129,9 @@ float ring_spacing_m(const Eigen::Vector3f& point) noexcept {
 
 std::optional<Plane> find_plane(const GridIndex& target,
                                 const Eigen::Vector3f& query,
-                                float radius_m) noexcept {
-  auto found = gather(target, query, radius_m, kPerRing, ring_spacing_m);
+                                float radius_m,
+                                int per_ring) noexcept {
+  auto found = gather(target, query, radius_m, per_ring, ring_spacing_m);
   if (!found) return std::nullopt;
   auto& [neighbours, spread] = *found;
   const auto add = [&spread](std::uint32_t i) { spread.add(i); };
@@ -145,7 +146,7 @@ std::optional<Plane> find_plane(const GridIndex& target,
       !(variance[0] < kMaxFlatness * variance[1])) {
     return std::nullopt;
   }
-  return Plane{spread.centre(), axes.eigenvectors().col(0)};
+  return Plane{spread.centre(), axes.eigenvectors().col(0), std::max(0.0, variance[0])};
 }
 
 std::optional<Line> find_line(const GridIndex& target,
@@ -166,7 +167,7 @@ std::optional<Line> find_line(const GridIndex& target,
   if (!(variance[2] > kMinElongation * variance[1]) || !(variance[2] > kMinLength_m * kMinLength_m)) {
     return std::nullopt;
   }
-  return Line{spread.centre(), axes.eigenvectors().col(2)};
+  return Line{spread.centre(), axes.eigenvectors().col(2), std::max(0.0, variance[1])};
 }
 
 }  // namespace pago::odometry

@@ -7,8 +7,12 @@
 #include <cmath>
 
 #include "pago/core/se3.hpp"
+#include "pago/registration/robust.hpp"
 
 namespace pago::odometry {
+
+using registration::plane_row;
+using registration::Row;
 
 namespace {
 
@@ -16,9 +20,19 @@ namespace {
 constexpr std::array<int, 3> kStepOne{2, 3, 4};
 constexpr std::array<int, 3> kStepTwo{0, 1, 5};
 
-double geman_mcclure(double residual, double width) noexcept {
-  const double ratio = width * width / (width * width + residual * residual);
-  return ratio * ratio;
+Match match_of(const Eigen::Vector3d& source, const Plane& plane, const OdometryConfig& config) noexcept {
+  return {source, plane.centre, plane.normal,
+          plane.variance_m2 + config.point_sigma_m * config.point_sigma_m};
+}
+Match match_of(const Eigen::Vector3d& source, const Line& line, const OdometryConfig& config) noexcept {
+  return {source, line.centre, line.direction, line.variance_m2 + config.edge_sigma_m * config.edge_sigma_m};
+}
+
+/// LOAM's code: less the farther off, for planes by the square root of the range; too far off: nothing.
+float loam_weight(float residual_m, float range_m, bool is_plane) noexcept {
+  constexpr float kSlope = 1.8F, kLeast = 0.1F;
+  const float weight = 1.0F - kSlope * residual_m / (is_plane ? std::sqrt(range_m) : 1.0F);
+  return weight > kLeast ? weight : 0.0F;
 }
 
 }  // namespace
@@ -29,42 +43,46 @@ TwoStepRegistration::TwoStepRegistration(const OdometryConfig& config, std::size
       ground_(max_sources),
       edges_(max_sources),
       walls_(max_sources),
-      residuals_(max_sources) {}
+      rows_(4 * max_sources),
+      ranges_m_(max_sources),
+      magnitudes_(max_sources) {}
 
 RegistrationResult TwoStepRegistration::align(const FeatureSet& sources,
-                                              const TargetSet& targets,
+                                              Targets& targets,
                                               const Eigen::Isometry3d& T_guess,
-                                              double period_s,
-                                              double match_radius_m) noexcept {
+                                              double period_s) noexcept {
   T_ = T_guess;
-  const auto radius_m = static_cast<float>(match_radius_m);
   RegistrationResult result;
-  for (; result.rounds < config_.max_rounds; ++result.rounds) {
+  for (round_ = 0; round_ < config_.max_rounds; ++round_) {
     const Eigen::Isometry3d T_before = T_;
     deskew_sources(sources, period_s);
-
-    match(deskewed_.ground, targets.ground, Shape::kPlane, radius_m, ground_);
-    for (int i = 0; i < config_.steps_per_round; ++i) {
-      NormalEquations sum;
-      accumulate(ground_, Shape::kPlane, sum);
-      step(sum, kStepOne);
+    match_step_one(targets);
+    if (round_ == 0) {  // where the search begins: afterwards it could have slipped along what is weak
+      match_step_two(targets);
+      finish(result);
     }
-
-    match(deskewed_.edges, targets.edges, Shape::kLine, radius_m, edges_);
-    if (config_.walls_in_step_two) match(deskewed_.walls, targets.walls, Shape::kPlane, radius_m, walls_);
     for (int i = 0; i < config_.steps_per_round; ++i) {
-      NormalEquations sum;
-      accumulate(edges_, Shape::kLine, sum);
-      accumulate(walls_, Shape::kPlane, sum);
-      step(sum, kStepTwo);
+      rows_.clear();
+      add_rows(ground_, Shape::kPlane);
+      solve(kStepOne, result.weak.penalty);
     }
-
-    const Vector6d moved = log_se3(T_before.inverse() * T_);
+    match_step_two(targets);
+    for (int i = 0; i < config_.steps_per_round; ++i) {
+      rows_.clear();
+      add_rows(edges_, Shape::kLine);
+      add_rows(walls_, Shape::kPlane);
+      solve(kStepTwo, result.weak.penalty);
+    }
+    const Vector6d moved = difference(T_before, T_);
     if (moved.head<3>().norm() < config_.stop_translation_m &&
         moved.tail<3>().norm() < config_.stop_rotation_rad)
       break;
   }
-  finish(sources, result);
+  const registration::WeakDirections weak = result.weak;
+  finish(result);
+  result.weak = weak;
+  result.information = weak.without(result.information);
+  result.rounds = std::min(round_ + 1, config_.max_rounds);
   return result;
 }
 
@@ -76,66 +94,75 @@ void TwoStepRegistration::deskew_sources(const FeatureSet& sources, double perio
   deskew(sources.walls, twist, deskewed_.walls);
 }
 
-void TwoStepRegistration::match(
-    const FeatureCloud& cloud, const GridIndex& target, Shape shape, float radius_m, Matches& out) noexcept {
+void TwoStepRegistration::match_step_one(Targets& targets) noexcept {
+  match(
+      deskewed_.ground, [&](const Eigen::Vector3d& query) { return targets.find_ground(query); }, ground_);
+}
+
+void TwoStepRegistration::match_step_two(Targets& targets) noexcept {
+  match(
+      deskewed_.edges, [&](const Eigen::Vector3d& query) { return targets.find_edge(query); }, edges_);
+  if (config_.walls_in_step_two)
+    match(
+        deskewed_.walls, [&](const Eigen::Vector3d& query) { return targets.find_wall(query); }, walls_);
+}
+
+template <typename Find>
+void TwoStepRegistration::match(const PointCloud& cloud, Find find, Matches& out) noexcept {
   out.clear();
   for (std::size_t i = 0; i < cloud.size; ++i) {
     const Eigen::Vector3d source = cloud.point(i).cast<double>();
-    const Eigen::Vector3f query = (T_ * source).cast<float>();
-    if (shape == Shape::kPlane) {
-      if (const auto plane = find_plane(target, query, radius_m))
-        out.push_back({source, plane->centre, plane->normal});
-    } else {
-      if (const auto line = find_line(target, query, radius_m))
-        out.push_back({source, line->centre, line->direction});
-    }
+    if (const auto found = find(T_ * source)) out.push_back(match_of(source, *found, config_));
   }
 }
 
-double TwoStepRegistration::residual(const Match& match, Shape shape) const noexcept {
-  const Eigen::Vector3d offset = T_ * match.source - match.centre;
-  return shape == Shape::kPlane ? match.axis.dot(offset) : match.axis.cross(offset).norm();
-}
-
-double TwoStepRegistration::kernel_width(const Matches& matches, Shape shape) noexcept {
-  residuals_.clear();
-  for (const Match& match : matches) residuals_.push_back(std::abs(residual(match, shape)));
-  if (residuals_.empty()) return config_.kernel_min_m;
-  double* const median = residuals_.begin() + residuals_.size() / 2;
-  std::nth_element(residuals_.begin(), median, residuals_.end());
-  constexpr double kMadToSigma = 1.4826;
-  return std::max(config_.kernel_min_m, 3.0 * kMadToSigma * *median);
-}
-
-// With p' = R p + t and the perturbation R exp(w), t + v: a plane's n . p' changes by n . v + (p x R^T n) .
-// w; a line's offset, seen across its direction, by P v - P R [p]x w.
-void TwoStepRegistration::accumulate(const Matches& matches, Shape shape, NormalEquations& sum) noexcept {
-  const double width = kernel_width(matches, shape);
-  const Eigen::Matrix3d R = T_.linear();
+// An edge makes two rows: its offset along two directions across the line.
+void TwoStepRegistration::add_rows(const Matches& matches, Shape shape) noexcept {
+  const std::size_t begin = rows_.size();
+  ranges_m_.clear();
+  const Eigen::Matrix3d R_source_target = T_.linear().transpose();
   for (const Match& match : matches) {
-    const Eigen::Vector3d offset = T_ * match.source - match.centre;
+    const Eigen::Vector3f source = match.source.cast<float>();
+    const Eigen::Vector3f axis = (R_source_target * match.axis).cast<float>();
+    const Eigen::Vector3f offset = (R_source_target * (T_ * match.source - match.centre)).cast<float>();
+    const auto variance = static_cast<float>(match.variance_m2);
+    ranges_m_.push_back(source.norm());
     if (shape == Shape::kPlane) {
-      const double r = match.axis.dot(offset);
-      const double weight = geman_mcclure(r, width);
-      Vector6d J;
-      J << match.axis, match.source.cross(R.transpose() * match.axis);
-      sum.H.noalias() += weight * J * J.transpose();
-      sum.b.noalias() += weight * r * J;
-      sum.weight += weight, sum.weighted_sq += weight * r * r;
+      rows_.push_back(plane_row(source, axis, axis.dot(offset), variance));
     } else {
-      const Eigen::Matrix3d P = Eigen::Matrix3d::Identity() - match.axis * match.axis.transpose();
-      const Eigen::Vector3d r = P * offset;
-      const double weight = geman_mcclure(r.norm(), width);
-      Eigen::Matrix<double, 3, 6> J;
-      J << P, -P * R * hat(match.source);
-      sum.H.noalias() += weight * J.transpose() * J;
-      sum.b.noalias() += weight * J.transpose() * r;
-      sum.weight += weight, sum.weighted_sq += weight * r.squaredNorm();
+      const Eigen::Vector3f across = axis.unitOrthogonal(), other = axis.cross(across);
+      rows_.push_back(plane_row(source, across, across.dot(offset), variance));
+      rows_.push_back(plane_row(source, other, other.dot(offset), variance));
     }
+  }
+  weigh({rows_.begin() + begin, rows_.size() - begin}, shape);
+}
+
+void TwoStepRegistration::weigh(std::span<Row> rows, Shape shape) noexcept {
+  const std::size_t per_match = shape == Shape::kPlane ? 1 : 2;
+  const auto magnitude = [&](std::size_t i) {
+    return per_match == 1 ? std::abs(rows[i].residual_m)
+                          : std::hypot(rows[i].residual_m, rows[i + 1].residual_m);
+  };
+  magnitudes_.clear();
+  for (std::size_t i = 0; i < rows.size(); i += per_match) magnitudes_.push_back(magnitude(i));
+  const float width = registration::kernel_width<float>({magnitudes_.begin(), magnitudes_.size()},
+                                                        static_cast<float>(config_.kernel_min_m));
+  for (std::size_t i = 0; i < rows.size(); i += per_match) {
+    float weight = 1.0F;
+    if (config_.kernel == Kernel::kGemanMcClure) {
+      weight = registration::geman_mcclure(magnitude(i), width);
+    } else if (round_ > 0) {
+      weight = loam_weight(magnitude(i), ranges_m_[i / per_match], shape == Shape::kPlane);
+    }
+    for (std::size_t k = 0; k < per_match; ++k) rows[i + k].kernel_weight = weight;
   }
 }
 
-double TwoStepRegistration::step(const NormalEquations& sum, const std::array<int, 3>& dofs) noexcept {
+void TwoStepRegistration::solve(const std::array<int, 3>& dofs, const Matrix6d& penalty) noexcept {
+  NormalEquations sum;
+  sum.add(rows_.view());
+  sum.H += penalty;
   Eigen::Matrix3d H;
   Eigen::Vector3d b;
   for (int i = 0; i < 3; ++i) {
@@ -143,51 +170,34 @@ double TwoStepRegistration::step(const NormalEquations& sum, const std::array<in
     b[i] = sum.b[di];
     for (int j = 0; j < 3; ++j) H(i, j) = sum.H(di, dofs[static_cast<std::size_t>(j)]);
   }
-  // Directions without information stay where the prediction put them.
-  H.diagonal().array() += 1e-6;
+  H.diagonal().array() += 1e-6;  // without any information: no step
   const Eigen::Vector3d solution = H.ldlt().solve(-b) * config_.update_gain;
-  if (!solution.allFinite()) return 0.0;
+  if (!solution.allFinite()) return;
   Vector6d delta = Vector6d::Zero();
   for (int i = 0; i < 3; ++i) delta[dofs[static_cast<std::size_t>(i)]] = solution[i];
-  T_.translation() += delta.head<3>();
-  T_.linear() = T_.linear() * exp_so3(delta.tail<3>());
-  return solution.norm();
+  T_ = perturb(T_, delta);
 }
 
-// With a fixed kernel: the one used for solving widens with the misfit, and so would praise a bad fit.
-double TwoStepRegistration::support(const Matches& matches, Shape shape, std::size_t offered) const noexcept {
-  constexpr double kWidth_m = 0.1;
-  double sum = 0.0;
-  for (const Match& match : matches) sum += geman_mcclure(residual(match, shape), kWidth_m);
-  return sum / static_cast<double>(std::max<std::size_t>(1, offered));
-}
+void TwoStepRegistration::finish(RegistrationResult& result) noexcept {
+  rows_.clear();
+  add_rows(ground_, Shape::kPlane);
+  NormalEquations one, two;
+  one.add(rows_.view());
+  const std::size_t ground_rows = rows_.size();
+  add_rows(edges_, Shape::kLine);
+  add_rows(walls_, Shape::kPlane);
+  two.add(rows_.view().subspan(ground_rows));
 
-void TwoStepRegistration::finish(const FeatureSet& sources, RegistrationResult& result) noexcept {
-  NormalEquations ground, two;
-  accumulate(ground_, Shape::kPlane, ground);
-  accumulate(edges_, Shape::kLine, two);
-  if (config_.walls_in_step_two) accumulate(walls_, Shape::kPlane, two);
-
-  T_.linear() = Eigen::Quaterniond(T_.linear()).normalized().toRotationMatrix();
+  T_ = orthonormalized(T_);
   result.T_target_source = T_;
   result.ground_matches = static_cast<std::uint32_t>(ground_.size());
   result.edge_matches = static_cast<std::uint32_t>(edges_.size());
   result.wall_matches = static_cast<std::uint32_t>(walls_.size());
-  const auto mean_sq = [&](const NormalEquations& sum) {
-    return sum.weight > 0.0 ? sum.weighted_sq / sum.weight : 0.0;
-  };
-  result.ground_rms_m = std::sqrt(mean_sq(ground));
-  result.edge_rms_m = std::sqrt(mean_sq(two));
-  result.score =
-      support(edges_, Shape::kLine, sources.edges.size) + support(walls_, Shape::kPlane, sources.walls.size);
-
-  // Translation was perturbed in the target frame; the information is stated in the source frame.
-  Matrix6d to_source = Matrix6d::Identity();
-  to_source.topLeftCorner<3, 3>() = T_.linear();
-  const double floor_sq = config_.residual_sigma_m * config_.residual_sigma_m;
-  const Matrix6d H =
-      ground.H / std::max(floor_sq, mean_sq(ground)) + two.H / std::max(floor_sq, mean_sq(two));
-  result.information = to_source.transpose() * H * to_source;
+  result.ground_rms_m = one.rms_m();
+  result.edge_rms_m = two.rms_m();
+  result.information = one.H + two.H;
+  result.weak =
+      registration::find_weak_directions(result.information, rows_.view(), config_.min_contribution);
 }
 
 }  // namespace pago::odometry

@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <array>
 #include <cerrno>
+#include <chrono>
 #include <cstdlib>
 #include <system_error>
 #include <vector>
@@ -24,6 +25,7 @@ constexpr std::size_t kMostClients = 8;
 constexpr std::size_t kLongestRequest = 64;
 constexpr std::size_t kMostPerCall = 16;  // requests of one client, so that none can keep the thread
 constexpr int kAnswerWithin_ms = 10'000;
+constexpr std::chrono::seconds kIdleAtMost{10};
 
 constexpr std::array<std::pair<std::string_view, Request>, 4> kRequests{{{"status", Request::kStatus},
                                                                          {"save", Request::kSave},
@@ -35,6 +37,7 @@ constexpr std::string_view kUnknown = R"({"error": "unknown request; known: stat
 struct Client {
   Descriptor socket;
   std::string unread;
+  std::chrono::steady_clock::time_point last_heard = std::chrono::steady_clock::now();
   bool is_over = false;
 };
 
@@ -42,10 +45,14 @@ struct Client {
 void receive(Client& client) {
   std::array<char, 256> bytes{};
   const ssize_t size = recv(client.socket.get(), bytes.data(), bytes.size(), MSG_DONTWAIT);
-  if (size > 0)
+  const auto now = std::chrono::steady_clock::now();
+  if (size > 0) {
     client.unread.append(bytes.data(), static_cast<std::size_t>(size));
-  else
-    client.is_over = size == 0 || (errno != EAGAIN && errno != EINTR);
+    client.last_heard = now;
+  } else {
+    client.is_over =
+        size == 0 || (errno != EAGAIN && errno != EINTR) || now - client.last_heard > kIdleAtMost;
+  }
 }
 
 std::optional<std::string> next_line(Client& client) {
@@ -57,6 +64,15 @@ std::optional<std::string> next_line(Client& client) {
   std::string line = client.unread.substr(0, end);
   client.unread.erase(0, end + 1);
   return line;
+}
+
+/// No request ends a run, whatever goes wrong with it.
+std::string answer_to(Request request, const std::function<std::string(Request)>& handle) {
+  try {
+    return handle(request);
+  } catch (const std::exception&) {
+    return R"({"error": "this cannot be answered now"})";
+  }
 }
 
 /// A client that does not fetch its answers loses its connection.
@@ -74,11 +90,28 @@ std::optional<Request> parse_request(std::string_view line) noexcept {
   return found->second;
 }
 
-std::string default_control_path() {
+std::vector<std::string> usual_control_paths() {
+  std::vector<std::string> paths;
   if (const char* folder = std::getenv("XDG_RUNTIME_DIR"); folder != nullptr && *folder != '\0')
-    return std::string(folder) + "/pago.ctl";
+    paths.push_back(std::string(folder) + "/pago.ctl");
   const uid_t user = getuid();
-  return user == 0 ? "/run/pago.ctl" : "/tmp/pago." + std::to_string(user) + ".ctl";
+  if (user == 0) paths.emplace_back("/run/pago.ctl");
+  paths.push_back("/tmp/pago." + std::to_string(user) + ".ctl");
+  return paths;
+}
+
+std::string default_control_path() {
+  return usual_control_paths().front();
+}
+
+std::string ask_usual(const std::string& line) {
+  std::string tried;
+  for (const std::string& path : usual_control_paths()) {
+    if (connect_to(path).is_open()) return ask(path, line);
+    tried += (tried.empty() ? "" : ", ") + path;
+  }
+  throw Error(tried, "no running pago of this user listens there",
+              "is one reading a live sensor? --socket takes its control.socket");
 }
 
 struct ControlServer::State {
@@ -105,7 +138,8 @@ void ControlServer::serve(const std::function<std::string(Request)>& handle) {
   while (clients.size() < kMostClients) {
     Descriptor accepted(accept4(state_->listener.get(), nullptr, nullptr, SOCK_CLOEXEC | SOCK_NONBLOCK));
     if (!accepted.is_open()) break;
-    clients.push_back({std::move(accepted), {}});
+    Client& client = clients.emplace_back();
+    client.socket = std::move(accepted);
   }
   for (Client& client : clients) {
     receive(client);
@@ -113,7 +147,7 @@ void ControlServer::serve(const std::function<std::string(Request)>& handle) {
       const auto line = next_line(client);
       if (!line) break;
       const auto request = parse_request(*line);
-      answer(client, request ? handle(*request) : std::string(kUnknown));
+      answer(client, request ? answer_to(*request, handle) : std::string(kUnknown));
     }
   }
   std::erase_if(clients, [](const Client& client) { return client.is_over; });

@@ -27,8 +27,8 @@ std::string cell(bool is_there, std::int64_t duration_ns) {
 }  // namespace
 
 std::string_view stage_name(StageId stage) noexcept {
-  constexpr std::array<std::string_view, kNumStages> kNames{"ingest", "ground", "features", "odometry",
-                                                            "mapping"};
+  constexpr std::array<std::string_view, kNumStages> kNames{"ingest",   "ground",  "features",
+                                                            "odometry", "mapping", "update"};
   return kNames[static_cast<std::size_t>(stage)];
 }
 

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "pago/output/ply.hpp"
 
-#include <array>
 #include <bit>
+#include <initializer_list>
 #include <string>
 
 #include "pago/core/error.hpp"
@@ -23,28 +23,43 @@ void put(std::string& bytes, const PlyPoint& point) {
   bytes += static_cast<char>(point.ground);
 }
 
-std::string header(std::size_t num_points) {
-  return "ply\nformat binary_little_endian 1.0\ncomment PaGO map, metres, z up\nelement vertex " +
-         std::to_string(num_points) +
-         "\nproperty float x\nproperty float y\nproperty float z\nproperty uchar intensity\n"
-         "property uchar ground\nend_header\n";
+void put(std::string& bytes, const ColouredPoint& point) {
+  for (const float value : {point.x_m, point.y_m, point.z_m}) put(bytes, value);
+  for (const std::uint8_t part : point.colour) bytes += static_cast<char>(part);
 }
 
-}  // namespace
+std::string header(const char* what, std::size_t num_points, std::initializer_list<const char*> bytes) {
+  std::string text = std::string("ply\nformat binary_little_endian 1.0\ncomment PaGO ") + what +
+                     ", metres, z up\nelement vertex " + std::to_string(num_points) +
+                     "\nproperty float x\nproperty float y\nproperty float z\n";
+  for (const char* name : bytes) text += std::string("property uchar ") + name + "\n";
+  return text + "end_header\n";
+}
 
-void write_ply(const std::filesystem::path& file, std::span<const PlyPoint> points) {
+template <typename Point>
+void write(const std::filesystem::path& file, const std::string& head, std::span<const Point> points) {
   constexpr std::size_t kBlock = 65'536;
   TextFile out(file);
-  out.write(header(points.size()));
+  out.write(head);
   std::string bytes;
   for (std::size_t start = 0; start < points.size(); start += kBlock) {
     bytes.clear();
-    for (const PlyPoint& point : points.subspan(start, std::min(kBlock, points.size() - start)))
+    for (const Point& point : points.subspan(start, std::min(kBlock, points.size() - start)))
       put(bytes, point);
     out.write(bytes);
   }
   out.flush();
   out.throw_if_incomplete();
+}
+
+}  // namespace
+
+void write_ply(const std::filesystem::path& file, std::span<const PlyPoint> points) {
+  write(file, header("map", points.size(), {"intensity", "ground"}), points);
+}
+
+void write_ply(const std::filesystem::path& file, std::span<const ColouredPoint> points) {
+  write(file, header("scan", points.size(), {"red", "green", "blue"}), points);
 }
 
 }  // namespace pago::output

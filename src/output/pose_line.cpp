@@ -21,7 +21,7 @@ std::string pose_line(const PoseV1& pose) {
                                        {"orientation_xyzw", pose.orientation_xyzw},
                                        {"twist", pose.twist},
                                        {"covariance", pose.covariance}};
-  return json.dump() + "\n";
+  return json.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
 }
 
 PoseLines::PoseLines(const std::string& file) {
@@ -34,13 +34,16 @@ void PoseLines::write(const PoseV1& pose) {
     file_->write(line);
     file_->flush();
   } else {
-    std::fwrite(line.data(), 1, line.size(), stdout);
-    std::fflush(stdout);
+    const bool is_written =
+        std::fwrite(line.data(), 1, line.size(), stdout) == line.size() && std::fflush(stdout) == 0;
+    if (!is_written) ++unwritten_;
   }
 }
 
 std::string PoseLines::complaint() const {
-  return file_ ? file_->complaint() : std::string();
+  if (file_) return file_->complaint();
+  return unwritten_ == 0 ? std::string()
+                         : std::to_string(unwritten_) + " poses could not be written to standard output";
 }
 
 }  // namespace pago::output

@@ -38,7 +38,7 @@ PoseV1 PoseMaker::make(const Sweep& sweep, PoseKind kind) const noexcept {
   pose.health = static_cast<std::uint8_t>(estimate.health);
   pose.reason = static_cast<std::uint8_t>(estimate.reason);
   pose.sequence = sweep.header.sequence;
-  pose.stamp_ns = estimate.stamp_ns;
+  pose.stamp_ns = estimate.stamp_ns + sweep.header.clock_offset_ns;
   pose.last_arrival_ns = sweep.header.last_arrival_ns;
   set_name(pose.frame_id, "odom");
   set_name(pose.child_frame_id, child_ == PoseChild::kBaseLink ? "base_link" : "sensor");

@@ -50,18 +50,17 @@ Json json_of(const PacketCounters& c) {
   Json bad;
   for (std::size_t i = 1; i < c.bad.size(); ++i)
     bad[std::string(to_string(static_cast<PacketFault>(i)))] = c.bad[i];
-  return {{"received", c.received},
-          {"decoded", c.decoded},
-          {"duplicate", c.duplicate},
-          {"late", c.late},
-          {"bad", bad},
-          {"reordered", c.reordered},
-          {"pending", c.pending},
-          {"balanced", c.balanced()}};
+  return {{"received", c.received},   {"decoded", c.decoded},   {"duplicate", c.duplicate},
+          {"late", c.late},           {"filtered", c.filtered}, {"bad", bad},
+          {"reordered", c.reordered}, {"pending", c.pending},   {"balanced", c.balanced()}};
 }
 
 Json json_of(const FiringCounters& c) {
-  return {{"expected", c.expected}, {"decoded", c.decoded}, {"lost", c.lost}, {"balanced", c.balanced()}};
+  return {{"expected", c.expected},
+          {"decoded", c.decoded},
+          {"lost", c.lost},
+          {"blind", c.blind},
+          {"balanced", c.balanced()}};
 }
 
 Json json_of(const SweepCounters& c) {
@@ -98,6 +97,15 @@ Json facts_of(const RunReport& report) {
   return facts;
 }
 
+/// Complete once the run is over and nothing of it was missed.
+Json json_of(const DecisionLog& log, const RunReport& report) {
+  const Decisions& d = log.decisions();
+  return {{"complete", log.is_complete() && report.requests && report.unrecorded == 0},
+          {"superseded", d.superseded},
+          {"unmet", d.unmet},
+          {"resets", d.resets}};
+}
+
 /// null where there is nothing of the kind.
 template <typename Counters>
 Json json_of(const std::optional<Counters>& counters) {
@@ -106,7 +114,7 @@ Json json_of(const std::optional<Counters>& counters) {
 
 }  // namespace
 
-std::string run_json(const RunReport& report, const RunTotals& totals) {
+std::string run_json(const RunReport& report, const RunTotals& totals, const DecisionLog& decisions) {
   const Json json = {{"version", report.version},
                      {"source", report.source},
                      {"complaint", report.complaint},
@@ -117,7 +125,9 @@ std::string run_json(const RunReport& report, const RunTotals& totals) {
                      {"packets", json_of(report.packets)},
                      {"firings", json_of(report.firings)},
                      {"self_hits", report.self_hits},
+                     {"unrecorded", report.unrecorded},
                      {"datagrams", json_of(report.source_counters)},
+                     {"decisions", json_of(decisions, report)},
                      {"latency_ms", json_of(totals.latency)},
                      {"config", report.config_toml}};
   // Paths need not be UTF-8.

@@ -13,6 +13,7 @@ RunRecorder::RunRecorder(const std::filesystem::path& folder,
       flush_interval_(std::chrono::duration_cast<Clock::duration>(
           std::chrono::duration<double>(config.flush_interval_s))),
       next_flush_(Clock::now() + flush_interval_),
+      front_end_(folder, "front_end"),
       first_(folder, "odometry"),
       refined_(folder, "trajectory"),
       poses_(folder / "poses.csv"),
@@ -22,9 +23,11 @@ RunRecorder::RunRecorder(const std::filesystem::path& folder,
 void RunRecorder::add(const SweepRecord& record) {
   totals_.add(record);
   trace_.add(record);
+  decisions_.add(record);
   newest_sequence_ = record.header.sequence;
   latency_.write(record);
   if (record.has_pose) {
+    front_end_.write(record.stamp_ns, record.T_odom_sensor_front_end);
     first_.write(record.stamp_ns, record.T_odom_sensor_first);
     refined_.write(record.stamp_ns, record.T_odom_sensor_refined);
     poses_.write(record);
@@ -33,6 +36,7 @@ void RunRecorder::add(const SweepRecord& record) {
 }
 
 void RunRecorder::flush() noexcept {
+  front_end_.flush();
   first_.flush();
   refined_.flush();
   poses_.flush();
@@ -43,7 +47,8 @@ void RunRecorder::flush() noexcept {
 void RunRecorder::finish(const RunReport& report) {
   flush();
   end_complaints_.clear();
-  write_at_end("run.json", run_json(report, totals_));
+  if (report.requests) decisions_.close(*report.requests);
+  write_at_end("run.json", run_json(report, totals_, decisions_));
   if (trace_.size() != 0) write_at_end("trace.json", trace_.json());
 }
 
@@ -57,7 +62,12 @@ std::string RunRecorder::save_trace() {
 
 void RunRecorder::write_at_end(const char* name, const std::string& text) {
   try {
-    write_file(folder_ / name, text);
+    // Under another name first: a report that is replaced is there all the time, whole.
+    const std::filesystem::path file = folder_ / name, unfinished = folder_ / (std::string(name) + ".new");
+    write_file(unfinished, text);
+    std::error_code fault;
+    std::filesystem::rename(unfinished, file, fault);
+    if (fault) throw Error(file.string(), "cannot be replaced: " + fault.message());
   } catch (const Error& error) {
     end_complaints_.emplace_back(error.what());
   }
@@ -65,8 +75,8 @@ void RunRecorder::write_at_end(const char* name, const std::string& text) {
 
 std::vector<std::string> RunRecorder::complaints() const {
   std::vector<std::string> complaints;
-  for (const std::string& complaint :
-       {first_.complaint(), refined_.complaint(), poses_.complaint(), latency_.complaint()})
+  for (const std::string& complaint : {front_end_.complaint(), first_.complaint(), refined_.complaint(),
+                                       poses_.complaint(), latency_.complaint()})
     if (!complaint.empty()) complaints.push_back(complaint);
   complaints.insert(complaints.end(), end_complaints_.begin(), end_complaints_.end());
   return complaints;

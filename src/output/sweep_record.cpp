@@ -24,11 +24,18 @@ void copy_estimate(const Estimate& estimate, SweepRecord& record) noexcept {
   record.health = estimate.health;
   record.reason = estimate.reason;
   record.has_pose = estimate.has_pose;
-  record.iterations = estimate.iterations;
+  record.rounds = estimate.rounds;
   record.edge_matches = estimate.edge_matches;
   record.planar_matches = estimate.planar_matches;
   record.edge_rms_m = estimate.edge_rms_m;
   record.planar_rms_m = estimate.planar_rms_m;
+  record.iterations = estimate.iterations;
+  record.is_cut_short = estimate.is_cut_short;
+  record.weak_directions = estimate.weak_directions;
+  record.map_points = estimate.map_points;
+  record.map_matches = estimate.map_matches;
+  record.map_rms_m = estimate.map_rms_m;
+  record.map_score = estimate.map_score;
 }
 
 }  // namespace
@@ -49,6 +56,7 @@ SweepRecord make_record(const Sweep& sweep) noexcept {
   SweepRecord record;
   record.header = sweep.header;
   copy_estimate(sweep.estimate, record);
+  record.stamp_ns += sweep.header.clock_offset_ns;
   record.times = sweep.times;
   record.num_returns = sweep.size;
   record.num_ground = count_ground(sweep);

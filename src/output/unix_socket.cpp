@@ -56,7 +56,12 @@ Descriptor listen_at(const std::string& path) {
   if (connect_to(path).is_open())
     throw Error(path, "another running pago listens there",
                 "stop it, or choose another socket: control.socket");
-  unlink(path.c_str());
+  struct stat left {};
+  if (lstat(path.c_str(), &left) == 0) {
+    if (!S_ISSOCK(left.st_mode))
+      throw Error(path, "is a file of another kind", "choose another socket: control.socket");
+    unlink(path.c_str());
+  }
   Descriptor server(socket(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC | SOCK_NONBLOCK, 0));
   // Made for nobody else from the first moment on.
   const mode_t mask = umask(0177);

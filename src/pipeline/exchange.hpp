@@ -4,6 +4,7 @@
 
 #include "pago/assembly/sweep_exchange.hpp"
 #include "pago/assembly/sweep_ring.hpp"
+#include "pago/core/sources.hpp"
 #include "pago/pipeline/pipeline.hpp"
 #include "pago/platform/clock.hpp"
 #include "runner.hpp"
@@ -15,27 +16,38 @@ namespace pago {
 /// rotation.
 class RingExchange final : public SweepExchange {
  public:
-  RingExchange(SweepRing& ring, platform::Channel<Sweep*>& freed, Link<SweepPart>& parts, Pace pace)
-      : ring_(ring), freed_(freed), parts_(parts), is_live_(pace == Pace::kLive) {}
+  RingExchange(
+      SweepRing& ring, platform::Channel<Sweep*>& freed, Link<SweepPart>& parts, Pace pace, Recorded unmet)
+      : ring_(ring), freed_(freed), parts_(parts), is_live_(pace == Pace::kLive), unmet_(unmet) {}
 
   Sweep* acquire() noexcept override {
+    ++requests_;
+    if (unmet_.has(requests_)) return nullptr;
     for (Sweep* sweep = nullptr; freed_.try_pop(sweep);) ring_.release(sweep);
     Sweep* sweep = ring_.try_acquire();
     while (sweep == nullptr && !is_live_) {
       ring_.release(pop(freed_));
       sweep = ring_.try_acquire();
     }
-    if (sweep != nullptr) sweep->time_of(StageId::kIngest).start_ns = platform::monotonic_ns();
+    if (sweep == nullptr) return nullptr;
+    sweep->header.request = requests_;
+    sweep->time_of(StageId::kIngest).start_ns = platform::monotonic_ns();
     return sweep;
   }
 
+  /// Sweeps are labelled before they are handed on in full, if the source can.
+  void label_by(const PacketSource& source) noexcept { labeller_ = source.has_labels() ? &source : nullptr; }
+
   void hand_on(const SweepPart& part) noexcept override {
     if (part.last) {
+      if (labeller_ != nullptr) labeller_->label(*part.sweep);
       stamp(*part.sweep);
       parts_.backlog.arrived();
     }
     push(parts_.channel, part);
   }
+
+  std::uint64_t requests() const noexcept { return requests_; }
 
   void end() noexcept { push(parts_.channel, SweepPart{}); }
 
@@ -54,6 +66,9 @@ class RingExchange final : public SweepExchange {
   platform::Channel<Sweep*>& freed_;
   Link<SweepPart>& parts_;
   bool is_live_;
+  Recorded unmet_;
+  const PacketSource* labeller_ = nullptr;
+  std::uint64_t requests_ = 0;
   std::int64_t cpu_before_ns_ = 0;  // of this thread, when the last sweep was handed on
 };
 

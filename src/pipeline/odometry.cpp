@@ -7,8 +7,10 @@
 
 #include "pago/assembly/scan_organizer.hpp"
 #include "pago/config/load.hpp"
+#include "pago/core/error.hpp"
 #include "pago/features/features.hpp"
-#include "pago/ground/segmenter.hpp"
+#include "pago/ground/ground_stage.hpp"
+#include "pago/mapping/mapping.hpp"
 #include "pago/odometry/odometry.hpp"
 
 namespace pago {
@@ -67,21 +69,23 @@ struct Odometry::Parts {
   Parts(const Config& c, std::uint32_t max_returns)
       : sweep(max_returns),
         organizer(max_returns, SelfFilter(c.vehicle, c.mount)),
-        segmenter(ground::make_segmenter(c.ground, c.mount, max_returns)),
+        segmenter(c.ground, c.mount, max_returns),
         extractor(c.features, max_returns),
-        odometer(c.odometry, max_returns) {}
+        mapper(c.mapping),
+        odometer(c.odometry, max_returns, mapper.refined()) {}
 
   void run_stages() noexcept {
-    Chain stages(*segmenter, extractor, odometer);
-    stages.begin(sweep);
-    stages.accept({&sweep, sweep.size, sweep.header.num_columns, true});
-    stages.finish(sweep);
+    Update next_targets(odometer);
+    Update next_map(mapper);
+    Chain stages(segmenter, extractor, odometer, mapper, next_targets, next_map);
+    stages.process(sweep);
   }
 
   Sweep sweep;
   ScanOrganizer organizer;
-  std::unique_ptr<ground::Segmenter> segmenter;
+  ground::GroundStage segmenter;
   features::FeaturesStage extractor;
+  mapping::MappingStage mapper;
   odometry::OdometryStage odometer;
 
   std::uint64_t sequence = 0;  // of the next scan
@@ -90,7 +94,10 @@ struct Odometry::Parts {
 
 Odometry::Odometry(const Config& config) {
   validate(config);
-  parts_ = std::make_unique<Parts>(config, static_cast<std::uint32_t>(config.assembly.max_returns));
+  if (ground::find_method(config.ground.method).traits.needs_labels)
+    throw Error("ground.method", "'" + config.ground.method + "' needs labels, and scans have none",
+                "choose another method");
+  parts_ = std::make_unique<Parts>(config, max_returns_of(config.assembly, /*can_be_dual=*/false));
 }
 Odometry::~Odometry() = default;
 Odometry::Odometry(Odometry&&) noexcept = default;
@@ -120,6 +127,9 @@ Estimate Odometry::process(const Scan& scan) noexcept {
 
 std::span<const std::uint8_t> Odometry::ground() const noexcept {
   return parts_->sweep.ground.first(parts_->sweep.size);
+}
+const ground::MountReport& Odometry::mount_report() const noexcept {
+  return parts_->segmenter.mount_report();
 }
 std::string_view Odometry::refusal() const noexcept {
   return parts_->refusal;

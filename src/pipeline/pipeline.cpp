@@ -12,7 +12,8 @@
 #include "pago/core/error.hpp"
 #include "pago/core/seqlock.hpp"
 #include "pago/features/features.hpp"
-#include "pago/ground/segmenter.hpp"
+#include "pago/ground/ground_stage.hpp"
+#include "pago/mapping/mapping.hpp"
 #include "pago/odometry/odometry.hpp"
 #include "pago/pipeline/timed.hpp"
 #include "pago/platform/thread.hpp"
@@ -21,16 +22,18 @@
 namespace pago {
 
 struct Pipeline::Parts {
-  Parts(const Config& c, Pace p)
+  Parts(const Config& c, Pace p, output::Decisions d)
       : config(c),
         pace(p),
-        max_returns(static_cast<std::uint32_t>(c.assembly.max_returns)),
+        decisions(std::move(d)),
+        max_returns(max_returns_of(c.assembly, /*can_be_dual=*/true)),
         ring(static_cast<std::size_t>(c.assembly.ring_size), max_returns),
-        segmenter(ground::make_segmenter(c.ground, c.mount, max_returns)),
+        segmenter(c.ground, c.mount, max_returns),
         extractor(c.features, max_returns),
-        odometer(c.odometry, max_returns),
+        mapper(c.mapping),
+        odometer(c.odometry, max_returns, mapper.refined()),
         pose_maker(c.publish.child, c.mount),
-        parts(c.assembly.ring_size * c.assembly.sectors + 1, max_pending()),
+        parts(c.assembly.ring_size * c.assembly.sectors + 1, max_pending(), Recorded(decisions.superseded)),
         sweeps(c.assembly.ring_size + 1, max_pending()),
         freed(static_cast<std::uint32_t>(c.assembly.ring_size) + 1) {
     if (is_live()) board.emplace(c.publish.shared_memory);
@@ -44,16 +47,26 @@ struct Pipeline::Parts {
   //              └──────────────────── freed sweeps <════════════════════┘
   template <typename Ingest>
   void flow(Ingest ingest, Observer& observer, RunSummary& summary) {
-    Timed ground(StageId::kGround, *segmenter);
+    Timed ground(StageId::kGround, segmenter);
     Timed features(StageId::kFeatures, extractor);
     Timed odometry(StageId::kOdometry, odometer);
     PublishPose first_pose(output::PoseKind::kFirst, pose_maker, board ? &*board : nullptr, outlet);
     PublishPose refined_pose(output::PoseKind::kRefined, pose_maker, board ? &*board : nullptr, outlet);
-    Chain front(ground, features);
-    Chain estimate(odometry, first_pose, refined_pose);
-    const auto begin_anew = [this] {
+    PublishMount mount_verdict(segmenter, verdict);
+    Chain front(ground, features, mount_verdict);
+    Timed mapping(StageId::kMapping, mapper);
+    Update next_targets(odometer);
+    Update next_map(mapper);
+    Chain after(next_targets, next_map);
+    Timed update(StageId::kUpdate, after);
+    Chain estimate(odometry, first_pose, mapping, refined_pose, update);
+    const auto begin_anew = [this, resets = Recorded(decisions.resets)](Sweep& sweep) mutable noexcept {
       // Relaxed: a wish, which guards no data.
-      if (is_reset_requested.exchange(false, std::memory_order_relaxed)) odometer.reset();
+      const bool is_asked = is_reset_requested.exchange(false, std::memory_order_relaxed);
+      if (!is_asked && !resets.has(sweep.header.sequence)) return;
+      sweep.header.flags |= kAfterReset;
+      odometer.reset();
+      mapper.reset();
     };
     const auto finish = [this](Sweep* sweep) noexcept {
       if (sweep == nullptr) return outlet.send({News::Kind::kEnd, {}, {}});
@@ -81,10 +94,12 @@ struct Pipeline::Parts {
       summary.threads.push_back(platform::describe(thread->plan(), thread->grant()));
     }
     publish(observer);
+    summary.mount = segmenter.mount_report();
     summary.sweeps.posed = fates.posed;
     summary.sweeps.partial = fates.partial;
     summary.sweeps.dropped[static_cast<std::size_t>(SweepDrop::kSuperseded)] = fates.dropped_total();
     summary.unrecorded = outlet.lost();
+    summary.requests = exchange.requests();
   }
 
   platform::ThreadPlan plan(const char* name, const ThreadConfig& thread) const {
@@ -108,6 +123,7 @@ struct Pipeline::Parts {
   void publish(Observer& observer) {
     std::exception_ptr thrown;
     News item;
+    ground::MountReport mount;
     while (true) {
       const bool has_news = news.pop_wait(item, kTick_ns);
       if (has_news && item.kind == News::Kind::kEnd) break;
@@ -115,6 +131,8 @@ struct Pipeline::Parts {
       try {
         if (has_news && item.kind == News::Kind::kPose) observer.on_pose(item.pose);
         if (has_news && item.kind == News::Kind::kSweep) observer.on_sweep(item.record);
+        if (mount.finding == ground::MountFinding::kPending && verdict.try_load(mount))
+          observer.on_mount(mount);
         if (IngestStatus now; status.try_load(now)) observer.on_status(now);
       } catch (...) {
         thrown = std::current_exception();
@@ -131,10 +149,12 @@ struct Pipeline::Parts {
 
   Config config;
   Pace pace;
+  output::Decisions decisions;  // of the recorded run that is repeated
   std::uint32_t max_returns;
   SweepRing ring;
-  std::unique_ptr<ground::Segmenter> segmenter;
+  ground::GroundStage segmenter;
   features::FeaturesStage extractor;
+  mapping::MappingStage mapper;
   odometry::OdometryStage odometer;
   output::PoseMaker pose_maker;
   std::optional<output::PoseBoard> board;  // live
@@ -145,7 +165,8 @@ struct Pipeline::Parts {
   platform::Channel<Sweep*> freed;
   platform::Channel<News> news{256};
   Seqlock<IngestStatus> status;
-  RingExchange exchange{ring, freed, parts, pace};
+  Seqlock<ground::MountReport> verdict;
+  RingExchange exchange{ring, freed, parts, pace, Recorded(decisions.unmet)};
   Outlet outlet{news, /*waits=*/pace == Pace::kReplay};
   SweepCounters fates;  // of the sweeps that came through
   bool has_run = false;
@@ -153,9 +174,9 @@ struct Pipeline::Parts {
   std::atomic<bool> is_abandoned{false};
 };
 
-Pipeline::Pipeline(const Config& config, Pace pace) {
+Pipeline::Pipeline(const Config& config, Pace pace, output::Decisions as_recorded) {
   validate(config);
-  parts_ = std::make_unique<Parts>(config, pace);
+  parts_ = std::make_unique<Parts>(config, pace, std::move(as_recorded));
 }
 Pipeline::~Pipeline() = default;
 
@@ -175,8 +196,14 @@ IngestStatus status_of(const PacketSource& source,
           .sweeps = ingest.sweeps(),
           .last_delivery_ns = last_delivery_ns,
           .rotation_hz = ingest.rotation_hz(),
+          .clock_drift_ppm = ingest.clock_offset().drift_ppm(),
+          .said = ingest.status().status(),
+          .other_sender = ingest.packets().filtered > 0 ? ingest.sender().other_ipv4() : 0,
           .sensor = ingest.sensor(),
-          .is_refused = ingest.is_refused()};
+          .is_refused = ingest.is_refused(),
+          .is_calibration_wrong =
+              ingest.calibration_difference() && ingest.calibration_difference()->is_other_unit(),
+          .is_view_limited = ingest.is_view_limited()};
 }
 
 void note(RunSummary& summary, const PacketSource& source, const PacketIngest& ingest) {
@@ -202,6 +229,7 @@ RunSummary Pipeline::run(PacketSource& source,
   Parts& p = *parts_;
   PacketIngest ingest(p.config.assembly, p.config.hdl64, calibration, p.exchange,
                       SelfFilter(p.config.vehicle, p.config.mount));
+  p.exchange.label_by(source);
   LiveWatch watch;
   RunSummary summary;
   p.flow(

@@ -4,6 +4,8 @@
 
 #include <atomic>
 
+#include "pago/core/seqlock.hpp"
+#include "pago/ground/ground_stage.hpp"
 #include "pago/output/pose_board.hpp"
 #include "pago/output/sweep_record.hpp"
 #include "pago/platform/clock.hpp"
@@ -40,7 +42,8 @@ class Outlet {
 };
 
 /// Tells other processes a sweep's pose as soon as the stages before it in the chain have found it; a stage
-/// itself. Without a board it does nothing.
+/// itself. When the stream ends in a sweep, the last pose is told again, as lost. Without a board it does
+/// nothing.
 class PublishPose {
  public:
   PublishPose(output::PoseKind kind,
@@ -52,18 +55,52 @@ class PublishPose {
   void begin(Sweep&) noexcept {}
   void accept(const SweepPart&) noexcept {}
   void finish(Sweep& sweep) noexcept {
-    if (board_ == nullptr || !sweep.estimate.has_pose) return;
-    News news{.kind = News::Kind::kPose, .pose = maker_.make(sweep, kind_), .record = {}};
-    news.pose.published_ns = platform::realtime_ns();
-    board_->publish(news.pose);
-    outlet_.send(news);
+    if (board_ == nullptr) return;
+    if (sweep.estimate.has_pose) {
+      last_ = maker_.make(sweep, kind_);
+      is_current_ = true;
+      tell();
+    } else if (is_current_ && sweep.header.has(kPartialEnd)) {
+      last_.health = static_cast<std::uint8_t>(Health::kLost);
+      last_.reason = static_cast<std::uint8_t>(HealthReason::kNoData);
+      is_current_ = false;
+      tell();
+    }
   }
 
  private:
+  void tell() noexcept {
+    last_.published_ns = platform::realtime_ns();
+    board_->publish(last_);
+    outlet_.send({.kind = News::Kind::kPose, .pose = last_, .record = {}});
+  }
+
   output::PoseKind kind_;
   const output::PoseMaker& maker_;
   output::PoseBoard* board_;
   Outlet& outlet_;
+  output::PoseV1 last_{};
+  bool is_current_ = false;  // nothing has ended since
+};
+
+/// Hands the verdict on the mount to the publisher's thread, once; a stage itself, behind the ground's.
+class PublishMount {
+ public:
+  PublishMount(const ground::GroundStage& ground, Seqlock<ground::MountReport>& verdict) noexcept
+      : ground_(ground), verdict_(verdict) {}
+
+  void begin(Sweep&) noexcept {}
+  void accept(const SweepPart&) noexcept {}
+  void finish(Sweep&) noexcept {
+    if (is_told_ || ground_.mount_report().finding == ground::MountFinding::kPending) return;
+    is_told_ = true;
+    verdict_.store(ground_.mount_report());
+  }
+
+ private:
+  const ground::GroundStage& ground_;
+  Seqlock<ground::MountReport>& verdict_;
+  bool is_told_ = false;
 };
 
 }  // namespace pago

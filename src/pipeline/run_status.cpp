@@ -4,6 +4,7 @@
 
 #include <array>
 
+#include "pago/config/packet_filter.hpp"
 #include "pago/core/text.hpp"
 
 namespace pago {
@@ -27,6 +28,9 @@ std::string_view to_string(StreamState state) noexcept {
 StreamState stream_state(const IngestStatus& status, std::int64_t now_monotonic_ns) noexcept {
   if (status.source.delivered == 0)
     return status.source.received == 0 ? StreamState::kNoData : StreamState::kForeign;
+  const bool is_all_damaged =
+      status.packets.received > 0 && status.packets.bad_total() == status.packets.received;
+  if (is_all_damaged && !status.is_refused) return StreamState::kForeign;
   if (now_monotonic_ns - status.last_delivery_ns > kSilence_ns) return StreamState::kSilent;
   if (status.is_refused) return StreamState::kOtherSensor;
   // Until the first packets have told how the head turns it is not known to stand.
@@ -39,14 +43,17 @@ std::string explain(StreamState state, const IngestStatus& status, const std::st
     case StreamState::kNoData:
       return "no data on " + source +
              " yet: is the sensor on and cabled, this host's address in its network (192.168.3.x/24 as "
-             "delivered), and no firewall or reverse-path filter (net.ipv4.conf.*.rp_filter) in the way? "
-             "`tcpdump -i any udp port 2368` shows what arrives";
+             "delivered), and no firewall or reverse-path filter (net.ipv4.conf.*.rp_filter) in the way? A "
+             "sensor that broadcasts is not heard by udp://ADDRESS:PORT, only by udp://:PORT. `tcpdump -i "
+             "any "
+             "udp` shows what arrives";
     case StreamState::kForeign:
       return format("%llu datagrams on ", number(status.source.received)) + source +
              format(
-                 ", none of the sensor: %llu from another sender or port (packets.source_address, "
-                 "packets.port), %llu too long",
-                 number(status.source.filtered), number(status.source.truncated));
+                 ", none of an HDL-64E: %llu from another sender (packets.source_address), %llu of another "
+                 "size or damaged",
+                 number(status.source.filtered),
+                 number(status.source.truncated + status.packets.bad_total()));
     case StreamState::kOtherSensor: {
       const std::string what = hdl64::refusal(status.sensor);
       return "on " + source + ": " +
@@ -59,7 +66,11 @@ std::string explain(StreamState state, const IngestStatus& status, const std::st
              "voltage?";
     case StreamState::kRunning:
       return source + ": " + std::string(hdl64::name(status.sensor)) +
-             format(", %.2f revolutions per second", status.rotation_hz);
+             format(", %.2f revolutions per second", status.rotation_hz) +
+             (status.is_view_limited ? ", field of view limited" : "") +
+             (status.other_sender == 0 ? ""
+                                       : "; packets of another sender, " + ipv4_text(status.other_sender) +
+                                             ", are left out (packets.source_address)");
     case StreamState::kCount:
       break;
   }

@@ -29,7 +29,8 @@ void push(platform::Channel<T>& out, const T& value) noexcept {
 /// What lies between two threads: the channel, and how many complete sweeps wait in it.
 template <typename T>
 struct Link {
-  Link(int elements, int max_pending) : channel(static_cast<std::uint32_t>(elements)), backlog(max_pending) {}
+  Link(int elements, int max_pending, Recorded passed_over = {})
+      : channel(static_cast<std::uint32_t>(elements)), backlog(max_pending, passed_over) {}
   platform::Channel<T> channel;
   Backlog backlog;
 };
@@ -46,7 +47,7 @@ void run_parts(S& stage, Link<SweepPart>& in, Link<Sweep*>& out) noexcept {
     if (part.sweep == nullptr) break;
     if (part.sweep != open) {
       open = part.sweep;
-      is_passed_over = in.backlog.passes_over();
+      is_passed_over = in.backlog.passes_over(part.sweep->header.sequence);
       if (!is_passed_over) stage.begin(*part.sweep);
     }
     if (!is_passed_over) stage.accept(part);
@@ -62,16 +63,14 @@ void run_parts(S& stage, Link<SweepPart>& in, Link<Sweep*>& out) noexcept {
   push(out.channel, static_cast<Sweep*>(nullptr));
 }
 
-/// The same for whole sweeps; `before()` is called ahead of each, `done(sweep)` after it, and with null at
-/// the end.
-template <Stage S, typename Before, typename Done>
-void run_sweeps(S& stage, Link<Sweep*>& in, Before before, Done done) noexcept {
+/// The same for whole sweeps; `before(sweep)` is called ahead of each, `done(sweep)` after it, and with null
+/// at the end.
+template <Stage... Stages, typename Before, typename Done>
+void run_sweeps(Chain<Stages...>& stages, Link<Sweep*>& in, Before before, Done done) noexcept {
   while (Sweep* sweep = pop(in.channel)) {
-    before();
-    if (in.backlog.passes_over()) sweep->header.flags |= kSuperseded;
-    stage.begin(*sweep);
-    stage.accept({sweep, sweep->size, sweep->header.num_columns, true});
-    stage.finish(*sweep);
+    before(*sweep);
+    if (in.backlog.passes_over(sweep->header.sequence)) sweep->header.flags |= kSuperseded;
+    stages.process(*sweep);
     done(sweep);
   }
   done(nullptr);

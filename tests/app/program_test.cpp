@@ -26,6 +26,13 @@ TEST_CASE("a capture becomes a results folder with a pose per sweep", "[app][run
     REQUIRE(run_pago(folder.path(), "run street.pcap --output again").exit_code == 0);
     REQUIRE(read_text(folder.path() / "again" / "latest" / "trajectory.kitti") == poses);
   }
+  SECTION("a mount that the ground contradicts is warned about, with the estimate") {
+    const Outcome wrong =
+        run_pago(folder.path(), "run street.pcap --set mount.height_m=1.2 --set ground.mount_check.sweeps=3");
+    REQUIRE(wrong.exit_code == 0);
+    REQUIRE(wrong.err.find("mount.height_m is 1.20; try --set mount.height_m=1.7") != std::string::npos);
+    REQUIRE(outcome.err.find("mount") == std::string::npos);
+  }
   SECTION("what it wrote can be scored") {
     const Outcome score = run_pago(
         folder.path(), "evaluate results/latest/trajectory.tum results/latest/odometry.tum --lengths 1");
@@ -60,6 +67,7 @@ TEST_CASE("bad input ends with one clear line and code 2", "[app][refusals]") {
   require_one_line_and_code_2(run("run street.pcap --set mount.height_m=tall"), "mount.height_m");
   require_one_line_and_code_2(run("run street.pcap --set mount.height_m=-3"), "mount.height_m");
   require_one_line_and_code_2(run("run street.pcap --ground lawn"), "patchwork");
+  require_one_line_and_code_2(run("run street.pcap --ground truth"), "has no labels");
   require_one_line_and_code_2(run("run street.pcap --set packets.port=9"), "packets.port");
   require_one_line_and_code_2(run("run stree.pcap --sat x=1"), "--sat");
   require_one_line_and_code_2(run("drive"), "drive");

@@ -30,18 +30,17 @@ inline hdl64::Calibration skewed_calibration() {
 }
 
 /// A firing in which each laser's x is its number, y its firing's, and some lasers see nothing.
-inline FiringReturns returns_of(int firing, const hdl64::Calibration& calibration, unsigned missing = 0) {
+inline FiringReturns returns_of(int firing, unsigned missing = 0) {
   FiringReturns returns{};
   std::mt19937 random(static_cast<unsigned>(firing));
   for (int laser = 0; laser < kLasers; ++laser) {
     if (random() % 100 < missing) continue;
-    const auto n = static_cast<std::size_t>(returns.size++);
-    returns.x_m[n] = static_cast<float>(laser);
-    returns.y_m[n] = static_cast<float>(firing);
-    returns.z_m[n] = 1.5F;
-    returns.intensity[n] = static_cast<std::uint8_t>(firing);
-    returns.ring[n] = calibration.ring_of_laser[static_cast<std::size_t>(laser)];
-    returns.laser[n] = static_cast<std::uint8_t>(laser);
+    const auto i = static_cast<std::size_t>(laser);
+    returns.valid |= std::uint64_t{1} << laser;
+    returns.x_m[i] = static_cast<float>(laser);
+    returns.y_m[i] = static_cast<float>(firing);
+    returns.z_m[i] = 1.5F;
+    returns.intensity[i] = static_cast<std::uint8_t>(firing);
   }
   return returns;
 }
@@ -67,7 +66,7 @@ struct AssemblerRig {
                         std::uint32_t max_returns = 278'528)
       : collector(ring, max_returns), assembler(config, calibration, collector) {}
   void add(const Head& head, int begin, int end) {
-    for (int i = begin; i < end; ++i) assembler.add(head.firing(i), returns_of(i, calibration, head.missing));
+    for (int i = begin; i < end; ++i) assembler.add(head.firing(i), returns_of(i, head.missing));
   }
   const SweepHeader& header(std::size_t sweep) const { return collector.sweeps.at(sweep).header; }
 

@@ -54,7 +54,7 @@ TEST_CASE("a sweep has no more parts than sectors, however the head slows down",
   double turned = 0.5;
   for (int i = 0; i < 12'000; ++i) {
     const double rate_rev_s = 20.0 - 15.0 * i / 12'000.0;
-    rig.assembler.add({kOrigin + i * kPeriod, 0, turned, rate_rev_s}, returns_of(i, rig.calibration, 90));
+    rig.assembler.add({kOrigin + i * kPeriod, 0, turned, rate_rev_s}, returns_of(i, 90));
     turned += rate_rev_s * 48e-6;
   }
   int parts = 0;

@@ -31,8 +31,7 @@ TEST_CASE("a return's column is its firing's, moved against its laser's rotCorre
       REQUIRE(sweep.ring[i] == (laser * 29 + 5) % kLasers);
       REQUIRE(sweep.intensity[i] == static_cast<std::uint8_t>(firing));
       REQUIRE(sweep.z_m[i] == 1.5F);
-      REQUIRE(sweep.time_offset_ns[i] ==
-              (firing - first_firing) * kPeriod + hdl64::FiringDecoder::laser_time_ns(laser));
+      REQUIRE(sweep.time_offset_ns[i] == (firing - first_firing) * kPeriod + hdl64::laser_time_ns(laser));
     }
   };
   rig.add(head, 0, 6000);

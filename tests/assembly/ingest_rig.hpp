@@ -9,7 +9,7 @@
 
 #include "assembly/collector.hpp"
 #include "pago/assembly/packet_ingest.hpp"
-#include "support/packet_builder.hpp"
+#include "support/packet_stream.hpp"
 
 namespace pago::test {
 
@@ -20,8 +20,10 @@ inline hdl64::Calibration plain_calibration() {
 }
 
 struct IngestRig {
-  explicit IngestRig(const AssemblyConfig& config = {}, std::size_t ring = 3)
-      : collector(ring), ingest(config, {}, plain_calibration(), collector) {}
+  explicit IngestRig(const AssemblyConfig& config = {},
+                     std::size_t ring = 3,
+                     const hdl64::Calibration& calibration = plain_calibration())
+      : collector(ring), ingest(config, {}, calibration, collector) {}
 
   void push(const PacketBytes& bytes, std::int64_t arrival_ns) {
     buffer = bytes;

@@ -47,6 +47,24 @@ const std::vector<Point> kFrame{
     {0, -1.7F, 1},  {1, -1.7F, 1},  {0, 0.0F, 0},                    // unlabelled, outlier
 };
 
+TEST_CASE("a labelled sweep is counted as its spans are", "[evaluation][ground_metrics]") {
+  pago::Sweep sweep(static_cast<std::uint32_t>(kFrame.size()));
+  for (const Point& p : kFrame) {
+    sweep.z_m[sweep.size] = p.z_m;
+    sweep.ground[sweep.size] = p.mask;
+    sweep.label[sweep.size++] = static_cast<std::uint16_t>(p.label);
+  }
+  for (const auto protocol : {kA, kB}) {
+    const GroundCounts counts = count_ground(protocol, sweep), expected = count(protocol, kFrame);
+    CHECK(counts.protocol == expected.protocol);
+    CHECK(counts.true_positive == expected.true_positive);
+    CHECK(counts.false_positive == expected.false_positive);
+    CHECK(counts.false_negative == expected.false_negative);
+    CHECK(counts.true_negative == expected.true_negative);
+    CHECK(counts.excluded == expected.excluded);
+  }
+}
+
 TEST_CASE("protocol A counts low vegetation as ground and the rest of it as not",
           "[evaluation][ground_metrics]") {
   const GroundCounts counts = count(kA, kFrame);

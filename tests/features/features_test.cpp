@@ -3,7 +3,9 @@
 #include "pago/features/features.hpp"
 
 #include <array>
+#include <cmath>
 #include <cstring>
+#include <numbers>
 #include <set>
 
 #include "support/catch.hpp"
@@ -72,19 +74,19 @@ TEST_CASE("no sector gives more than its quota and no return is picked twice", "
   for (const std::uint32_t i : sweep.features.planars) REQUIRE(edge_set.count(i) == 0);
 }
 
-TEST_CASE("targets keep their distance along a ring", "[features][stage]") {
+// Drawn, not spaced out: how far one is from the next varies, how many there are does not.
+TEST_CASE("targets are as many as their spacing along a ring asks for", "[features][stage]") {
   Sweep sweep = street_sweep(0.0);
   FeaturesConfig config;
   config.planar_spacing_m = 0.5;
   FeaturesStage(config, test::kStreetReturns).finish(sweep);
-  const auto& planars = sweep.features.planars;
-  for (std::size_t n = 1; n < planars.size(); ++n) {
-    const std::uint32_t a = planars[n - 1], b = planars[n];
-    if (sweep.ring[a] != sweep.ring[b]) continue;
-    const float dx = sweep.x_m[a] - sweep.x_m[b], dy = sweep.y_m[a] - sweep.y_m[b],
-                dz = sweep.z_m[a] - sweep.z_m[b];
-    REQUIRE(dx * dx + dy * dy + dz * dz >= 0.25F * 0.999F);
+  double expected = 0.0;
+  const double per_range = 2.0 * std::numbers::pi / (sweep.header.num_columns * config.planar_spacing_m);
+  for (std::uint32_t i = 0; i < sweep.size; ++i) {
+    const double range_m = static_cast<double>(std::hypot(sweep.x_m[i], sweep.y_m[i], sweep.z_m[i]));
+    expected += std::min(1.0, range_m * per_range);
   }
+  REQUIRE(static_cast<double>(sweep.features.planars.size()) == Approx(expected).epsilon(0.15));
 }
 
 TEST_CASE("empty, single-return and all-ground sweeps give no edges", "[features][stage]") {

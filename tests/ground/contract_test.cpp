@@ -58,7 +58,7 @@ TEST_CASE("every return gets kGround or kNonGround and nothing else is written",
   }
 }
 
-TEST_CASE("the same sweep gives the same mask, in any instance and after any other sweep",
+TEST_CASE("the same sweep gives the same mask, in any instance and after any other sweep or a reset",
           "[ground][contract]") {
   Sweep sweep(kMaxReturns), other(kMaxReturns);
   street().scan(sweep, kNoisy);
@@ -69,9 +69,26 @@ TEST_CASE("the same sweep gives the same mask, in any instance and after any oth
     segment(*segmenter, sweep);
     const auto first = mask_of(sweep);
     segment(*segmenter, other);
+    if (ground::find_method(c.config.method).traits.has_memory) segmenter->reset();
     segment(*segmenter, sweep);
     CHECK(mask_of(sweep) == first);
     CHECK(segmented(c.config, sweep) == first);
+  }
+}
+
+TEST_CASE("a height set later is as good as one of the mount", "[ground][contract]") {
+  Sweep sweep(kMaxReturns);
+  const Mount high{.height_m = 2.4};
+  ScanOptions from_high = kNoisy;
+  from_high.mount = high;
+  street().scan(sweep, from_high);
+  for (const GroundCase& c : ground_cases()) {
+    INFO(c.name);
+    const auto expected = segmented(c.config, sweep, high);
+    const auto segmenter = ground::make_segmenter(c.config, Mount{}, sweep.capacity());
+    segmenter->set_height(high.height_m);
+    segment(*segmenter, sweep);
+    CHECK(mask_of(sweep) == expected);
   }
 }
 
@@ -83,6 +100,7 @@ TEST_CASE("a sweep in parts gives the same mask as at once", "[ground][contract]
     const auto segmenter = ground::make_segmenter(c.config, Mount{}, sweep.capacity());
     for (const std::uint32_t parts : {2U, 7U, 36U, 72U}) {
       INFO(c.name << ", " << parts << " parts");
+      segmenter->reset();
       std::fill(sweep.ground.begin(), sweep.ground.end(), std::uint8_t{0xA5});
       segmenter->begin(sweep);
       for (std::uint32_t part = 1; part <= parts; ++part) {
@@ -125,7 +143,9 @@ TEST_CASE("an empty sweep and a single return are segmented", "[ground][contract
     sweep.size = 1;
     sweep.range_image.clear(1);
     sweep.range_image.at(sweep.ring[0], 0) = 0;
-    CHECK(segmented(c.config, sweep) == std::vector<std::uint8_t>{kNonGround});
+    const std::uint8_t mask = segmented(c.config, sweep).at(0);
+    const bool is_told = ground::find_method(c.config.method).traits.needs_labels;
+    CHECK((mask == kNonGround || (is_told && mask == kGround)));
   }
 }
 
@@ -149,7 +169,7 @@ TEST_CASE("returns that are zero, NaN or infinite are non-ground and do not dist
     const auto all = [](std::size_t) { return true; };
     CHECK(share_called_ground(mask, truth, kNonGround, all) == 0.0);
     const auto near = [&](std::size_t i) { return range_xy_m(sweep, i) < 20.0; };
-    CHECK(share_called_ground(mask, truth, kGround, near) > c.min_recall);
+    CHECK(share_called_ground(mask, truth, kGround, near) >= c.can.min_recall);
   }
 }
 

@@ -1,13 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The PaGO authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "tests/ground/lego_reference.hpp"
-
 #include <algorithm>
-#include <cstdio>
 
 #include "support/catch.hpp"
-#include "support/data.hpp"
-#include "support/kitti_scan.hpp"
 #include "support/scene.hpp"
 #include "tests/ground/cases.hpp"
 
@@ -24,26 +19,6 @@ GroundConfig lego(LegoConfig::Projection projection) {
 }
 
 }  // namespace
-
-TEST_CASE("the uniform column test agrees with its plain double-precision reference on real scans",
-          "[ground][lego]") {
-  PAGO_DATA_OR_SKIP(folder, "kitti");
-  auto files = kitti_scans(folder / "odometry_00_000000-000015" / "velodyne");
-  files.push_back(folder / "semantickitti_single" / "velodyne" / "000000.bin");
-  const GroundConfig config = lego(LegoConfig::Projection::kUniform);
-  Sweep sweep(kMaxReturns);
-  double worst = 0.0;
-  for (const auto& file : files) {
-    load_kitti_points(file, sweep);
-    const auto mask = segmented(config, sweep);
-    const auto reference = lego_reference(sweep, config.lego);
-    double different = 0.0;
-    for (std::uint32_t i = 0; i < sweep.size; ++i) different += mask[i] == reference[i] ? 0.0 : 1.0;
-    CHECK(different <= 0.002 * sweep.size);
-    worst = std::max(worst, different / sweep.size);
-  }
-  std::printf("column test against its reference: worst scan %.4f %% of returns differ\n", 100.0 * worst);
-}
 
 TEST_CASE("the ring projection tests each laser against the next, and no pair above ground_rings",
           "[ground][lego]") {

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "src/ground/plane_fit.hpp"
 
+#include <Eigen/Geometry>
 #include <limits>
 #include <random>
 
@@ -22,7 +23,7 @@ struct Cloud {
     y.push_back(static_cast<float>(p.y()));
     z.push_back(static_cast<float>(p.z()));
   }
-  BinPoints view() const { return {x, y, z}; }
+  Points view() const { return {x, y, z}; }
 };
 
 /// Points in a 4 m wide patch around `centre` of the plane with this normal, `noise_m` off it.

@@ -9,7 +9,7 @@
 #include "pago/core/error.hpp"
 #include "src/ground/atan2_turns.hpp"
 #include "support/catch.hpp"
-#include "tests/ground/patchwork_reference.hpp"
+#include "tests/ground/reference/points.hpp"
 
 using namespace pago;
 using namespace pago::ground;
@@ -26,7 +26,7 @@ PolarGrid patchwork_grid() {
       80.0);
 }
 
-struct Points {
+struct Cloud {
   std::vector<float> x, y, z;
   void add(float px, float py, float pz) {
     x.push_back(px);
@@ -37,11 +37,11 @@ struct Points {
   Coordinates view() const { return {x.data(), y.data(), z.data()}; }
 };
 
-Points random_points(std::uint32_t n) {
+Cloud random_points(std::uint32_t n) {
   std::mt19937 random(7);
   std::uniform_real_distribution<float> range(0.0F, 90.0F), height(-3.0F, 3.0F);
   std::uniform_real_distribution<float> azimuth(-std::numbers::pi_v<float>, std::numbers::pi_v<float>);
-  Points points;
+  Cloud points;
   for (std::uint32_t i = 0; i < n; ++i) {
     const float r = range(random), a = azimuth(random);
     points.add(r * std::cos(a), r * std::sin(a), height(random));
@@ -53,6 +53,12 @@ std::uint16_t bin_of(const PolarGrid& grid, float x, float y, float z = 0.0F) {
   std::uint16_t bin = 0;
   grid.locate({&x, &y, &z}, 0, 1, kAnyHeight, &bin);
   return bin;
+}
+
+bool lies_in(const PolarCell& cell, const test::ZoneBin& bin) {
+  const auto sectors = static_cast<float>(PatchworkConfig{}.zone_sectors[bin.zone]);
+  return cell.zone == static_cast<int>(bin.zone) && cell.ring == bin.ring &&
+         std::lround(cell.right_turns * sectors) == bin.sector;
 }
 
 }  // namespace
@@ -92,23 +98,19 @@ TEST_CASE("the centre of a bin lies in it", "[ground][polar_bins]") {
 TEST_CASE("bins agree with double arithmetic except within rounding of a border", "[ground][polar_bins]") {
   const PolarGrid grid = patchwork_grid();
   const PatchworkConfig config;
-  const Points points = random_points(200'000);
+  const Cloud points = random_points(200'000);
   std::vector<std::uint16_t> bins(points.size());
   grid.locate(points.view(), 0, points.size(), kAnyHeight, bins.data());
 
-  std::map<test::ReferenceBinId, int> number_of;
-  for (std::size_t zone = 0; zone < 4; ++zone)
-    for (int ring = 0; ring < config.zone_rings[zone]; ++ring)
-      for (int sector = 0; sector < config.zone_sectors[zone]; ++sector)
-        number_of.emplace(test::ReferenceBinId{zone, ring, sector}, static_cast<int>(number_of.size()));
-
   int different = 0;
   for (std::uint32_t i = 0; i < points.size(); ++i) {
-    const Eigen::Vector3d p(static_cast<double>(points.x[i]), static_cast<double>(points.y[i]), 0.0);
-    const double rho = p.head<2>().norm();
-    const bool is_inside = rho > config.min_range_m && rho <= config.max_range_m;
-    const int truth = is_inside ? number_of.at(test::reference_bin_of(p, config)) : grid.num_bins();
-    different += truth == bins[i] ? 0 : 1;
+    const test::Point p{{static_cast<double>(points.x[i]), static_cast<double>(points.y[i]), 0.0}, i};
+    const bool is_inside = p.range() > config.min_range_m && p.range() <= config.max_range_m;
+    const auto truth =
+        test::zone_bin_of(p, config.min_range_m, config.max_range_m, config.zone_rings, config.zone_sectors);
+    const bool is_right = is_inside ? bins[i] < grid.num_bins() && lies_in(grid.cell(bins[i]), truth)
+                                    : bins[i] == grid.num_bins();
+    different += is_right ? 0 : 1;
   }
   CHECK(different <= 10);
 }
@@ -140,15 +142,15 @@ TEST_CASE("the x axis belongs to the first sector, what is just right of it to t
 }
 
 TEST_CASE("grouping keeps every return once, in its bin, in the sweep's order", "[ground][polar_bins]") {
-  const Points points = random_points(50'000);
+  const Cloud points = random_points(50'000);
   PolarBins bins(patchwork_grid(), points.size());
   bins.locate(points.view(), points.size(), kAnyHeight);
-  bins.group(points.view());
+  bins.sort_rest(points.view());
 
   std::vector<std::vector<float>> expected(static_cast<std::size_t>(bins.grid().num_bins()) + 1);
   for (std::uint32_t i = 0; i < points.size(); ++i) expected[bins.bin_of()[i]].push_back(points.x[i]);
   for (int bin = 0; bin < bins.grid().num_bins(); ++bin) {
-    const BinPoints found = bins.points(bin);
+    const Points found = bins.points(bin);
     REQUIRE(std::vector<float>(found.x_m.begin(), found.x_m.end()) ==
             expected[static_cast<std::size_t>(bin)]);
     REQUIRE(found.y_m.size() == found.x_m.size());
@@ -156,7 +158,7 @@ TEST_CASE("grouping keeps every return once, in its bin, in the sweep's order", 
 }
 
 TEST_CASE("locating in parts gives the same bins as at once", "[ground][polar_bins]") {
-  const Points points = random_points(10'007);
+  const Cloud points = random_points(10'007);
   PolarBins whole(patchwork_grid(), points.size()), parts(patchwork_grid(), points.size());
   whole.locate(points.view(), points.size(), kAnyHeight);
   for (std::uint32_t until = 0; until < points.size(); until += 613)

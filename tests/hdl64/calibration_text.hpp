@@ -3,7 +3,6 @@
 #pragma once
 
 #include <algorithm>
-#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <sstream>
@@ -11,6 +10,7 @@
 #include <vector>
 
 #include "pago/hdl64/calibration.hpp"
+#include "support/temporary_path.hpp"
 
 namespace pago::test {
 
@@ -25,17 +25,11 @@ inline std::string read_text(const std::filesystem::path& path) {
 /// A file with this content, gone when the test ends.
 class TemporaryFile {
  public:
-  explicit TemporaryFile(const std::string& content)
-      : path_(std::filesystem::temp_directory_path() / ("pago_calibration_" + std::to_string(std::rand()))) {
-    std::ofstream(path_, std::ios::binary) << content;
-  }
-  ~TemporaryFile() { std::filesystem::remove(path_); }
-  TemporaryFile(const TemporaryFile&) = delete;
-  TemporaryFile& operator=(const TemporaryFile&) = delete;
-  const std::filesystem::path& path() const { return path_; }
+  explicit TemporaryFile(const std::string& content) { std::ofstream(path(), std::ios::binary) << content; }
+  const std::filesystem::path& path() const { return path_.path(); }
 
  private:
-  std::filesystem::path path_;
+  TemporaryPath path_{"_calibration"};
 };
 
 inline hdl64::Calibration load_text(const std::string& content) {

@@ -4,6 +4,7 @@
 
 #include <vector>
 
+#include "pago/hdl64/stream_format.hpp"
 #include "support/capture.hpp"
 #include "support/catch.hpp"
 #include "support/data.hpp"

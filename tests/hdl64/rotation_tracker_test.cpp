@@ -186,7 +186,7 @@ TEST_CASE("priming is not led astray by wrong packets, the first and the last in
   std::vector<PacketAzimuths> block = encode_all(steady(12.0), 0.0185);
   REQUIRE(block.size() == 64);
   for (const std::size_t i : {0U, 1U, 8U, 9U, 17U, 33U, 40U, 62U, 63U})
-    for (auto& azimuth : block[i].azimuth_cdeg)
+    for (auto& azimuth : std::span(block[i].azimuth_cdeg).first(kFirings))
       azimuth = static_cast<std::uint16_t>((azimuth * 7U + 9000U + 300U * i) % 36000U);
   RotationTracker tracker;
   tracker.prime(block, false);

@@ -10,7 +10,7 @@
 #include "support/capture.hpp"
 #include "support/catch.hpp"
 #include "support/data.hpp"
-#include "support/packet_builder.hpp"
+#include "support/packet_stream.hpp"
 
 using namespace pago;
 using namespace pago::hdl64;
@@ -227,7 +227,7 @@ TEST_CASE("the pace is measured across the top of the hour", "[hdl64][stream_pro
 
 TEST_CASE("a refusal names the sensor and what PaGO reads", "[hdl64][stream_probe]") {
   CHECK(refusal(SensorKind::kVlp16) ==
-        "this stream comes from a VLP-16; PaGO reads the HDL-64E (S2, S2.1, S3) in single-return mode");
+        "this stream comes from a VLP-16; PaGO reads the HDL-64E (S1, S2, S2.1, S3)");
   CHECK(refusal(SensorKind::kHdl64Single).empty());
   CHECK(name(SensorKind::kHdl32) == "HDL-32E");
   for (int kind = 0; kind < static_cast<int>(SensorKind::kCount); ++kind) {

@@ -16,7 +16,7 @@ namespace {
 
 /// nanoflann's view of a cloud: the independent oracle.
 struct CloudAdaptor {
-  const FeatureCloud& cloud;
+  const PointCloud& cloud;
   std::size_t kdtree_get_point_count() const { return cloud.size; }
   float kdtree_get_pt(std::size_t i, std::size_t axis) const {
     return cloud.point(i)[static_cast<int>(axis)];
@@ -29,10 +29,10 @@ struct CloudAdaptor {
 using KdTree = nanoflann::
     KDTreeSingleIndexAdaptor<nanoflann::L2_Simple_Adaptor<float, CloudAdaptor>, CloudAdaptor, 3, std::size_t>;
 
-FeatureCloud random_cloud(int n, unsigned seed, float extent_m) {
+PointCloud random_cloud(int n, unsigned seed, float extent_m) {
   std::mt19937 random(seed);
   std::uniform_real_distribution<float> plan(-extent_m, extent_m), height(-3.0F, 5.0F);
-  FeatureCloud cloud(static_cast<std::size_t>(n));
+  PointCloud cloud(static_cast<std::size_t>(n));
   for (int i = 0; i < n; ++i)
     cloud.add({plan(random), plan(random), height(random)}, 0.0F, static_cast<std::uint8_t>(i % 64));
   return cloud;
@@ -41,14 +41,14 @@ FeatureCloud random_cloud(int n, unsigned seed, float extent_m) {
 }  // namespace
 
 TEST_CASE("the nearest feature is the one a kd-tree finds", "[odometry][grid_index]") {
-  const FeatureCloud cloud = random_cloud(5000, 1, 100.0F);
+  const PointCloud cloud = random_cloud(5000, 1, 100.0F);
   GridIndex grid(5000);
   grid.build(cloud);
   const CloudAdaptor adaptor{cloud};
   KdTree tree(3, adaptor, nanoflann::KDTreeSingleIndexAdaptorParams(10));
   tree.buildIndex();
 
-  const FeatureCloud queries = random_cloud(3000, 2, 110.0F);
+  const PointCloud queries = random_cloud(3000, 2, 110.0F);
   int found = 0;
   for (std::size_t q = 0; q < queries.size; ++q) {
     const Eigen::Vector3f query = queries.point(q);
@@ -70,7 +70,7 @@ TEST_CASE("the nearest feature is the one a kd-tree finds", "[odometry][grid_ind
 }
 
 TEST_CASE("a radius search visits each feature inside once and none outside", "[odometry][grid_index]") {
-  const FeatureCloud cloud = random_cloud(4000, 3, 20.0F);
+  const PointCloud cloud = random_cloud(4000, 3, 20.0F);
   GridIndex grid(4000);
   grid.build(cloud);
   const Eigen::Vector3f query(1.0F, -2.0F, 0.5F);
@@ -85,7 +85,7 @@ TEST_CASE("a radius search visits each feature inside once and none outside", "[
 }
 
 TEST_CASE("features beyond the grid are still found", "[odometry][grid_index]") {
-  FeatureCloud cloud(2);
+  PointCloud cloud(2);
   cloud.add({300.0F, 5.0F, 0.0F}, 0.0F, 0);
   cloud.add({-200.0F, -200.0F, 0.0F}, 0.0F, 0);
   GridIndex grid(2);
@@ -97,18 +97,18 @@ TEST_CASE("features beyond the grid are still found", "[odometry][grid_index]") 
 
 TEST_CASE("an empty index finds nothing, and rebuilding replaces the contents", "[odometry][grid_index]") {
   GridIndex grid(10);
-  grid.build(FeatureCloud(10));
+  grid.build(PointCloud(10));
   REQUIRE(grid.nearest({0.0F, 0.0F, 0.0F}, 5.0F) == -1);
-  FeatureCloud cloud(10);
+  PointCloud cloud(10);
   cloud.add({1.0F, 0.0F, 0.0F}, 0.0F, 0);
   grid.build(cloud);
   REQUIRE(grid.nearest({0.0F, 0.0F, 0.0F}, 5.0F) == 0);
-  grid.build(FeatureCloud(10));
+  grid.build(PointCloud(10));
   REQUIRE(grid.nearest({0.0F, 0.0F, 0.0F}, 5.0F) == -1);
 }
 
 TEST_CASE("a query that is no number finds nothing and harms nothing", "[odometry][grid_index]") {
-  FeatureCloud cloud(2);
+  PointCloud cloud(2);
   cloud.add({1.0F, 0.0F, 0.0F}, 0.0F, 0);
   GridIndex grid(2);
   grid.build(cloud);

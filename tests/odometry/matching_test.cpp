@@ -11,7 +11,7 @@ using namespace pago::odometry;
 
 namespace {
 
-GridIndex index_of(const FeatureCloud& cloud) {
+GridIndex index_of(const PointCloud& cloud) {
   GridIndex grid(cloud.size);
   grid.build(cloud);
   return grid;
@@ -21,7 +21,7 @@ GridIndex index_of(const FeatureCloud& cloud) {
 
 TEST_CASE("the plane found on a slope seen by several rings is the slope", "[odometry][matching]") {
   const Eigen::Vector3d normal = Eigen::Vector3d(0.1, -0.05, 1.0).normalized();
-  FeatureCloud cloud(1000);
+  PointCloud cloud(1000);
   for (int ring = 0; ring < 5; ++ring) {
     for (int i = -20; i <= 20; ++i) {
       const double x = 8.0 + 0.4 * ring, y = 0.2 * i;
@@ -37,13 +37,13 @@ TEST_CASE("the plane found on a slope seen by several rings is the slope", "[odo
 }
 
 TEST_CASE("points of one ring alone make no plane", "[odometry][matching]") {
-  FeatureCloud cloud(100);
+  PointCloud cloud(100);
   for (int i = -20; i <= 20; ++i) cloud.add({8.0F, 0.2F * static_cast<float>(i), -1.7F}, 0.0F, 7);
   REQUIRE_FALSE(find_plane(index_of(cloud), {8.0F, 0.0F, -1.7F}, 2.0F).has_value());
 }
 
 TEST_CASE("the line found along a pole is the pole", "[odometry][matching]") {
-  FeatureCloud cloud(100);
+  PointCloud cloud(100);
   for (int ring = 20; ring < 28; ++ring) {
     cloud.add({10.0F, 3.0F, 0.1F * static_cast<float>(ring)}, 0.0F, static_cast<std::uint8_t>(ring));
   }
@@ -54,13 +54,13 @@ TEST_CASE("the line found along a pole is the pole", "[odometry][matching]") {
 }
 
 TEST_CASE("edge features of one ring alone make no line", "[odometry][matching]") {
-  FeatureCloud cloud(100);
+  PointCloud cloud(100);
   for (int i = 0; i < 5; ++i) cloud.add({10.0F + 0.3F * static_cast<float>(i), 3.0F, 0.0F}, 0.0F, 20);
   REQUIRE_FALSE(find_line(index_of(cloud), {10.0F, 3.0F, 0.0F}, 2.0F).has_value());
 }
 
 TEST_CASE("nothing within the radius means no match", "[odometry][matching]") {
-  FeatureCloud cloud(10);
+  PointCloud cloud(10);
   cloud.add({10.0F, 3.0F, 0.0F}, 0.0F, 20);
   REQUIRE_FALSE(find_plane(index_of(cloud), {0.0F, 0.0F, 0.0F}, 2.0F).has_value());
   REQUIRE_FALSE(find_line(index_of(cloud), {0.0F, 0.0F, 0.0F}, 2.0F).has_value());

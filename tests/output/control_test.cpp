@@ -7,8 +7,12 @@
 #include <sys/un.h>
 #include <unistd.h>
 
+#include <array>
 #include <atomic>
 #include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <stdexcept>
 #include <thread>
 #include <vector>
 
@@ -84,6 +88,27 @@ TEST_CASE("clients that say nothing, too much, or fetch nothing do not keep othe
   for (const int fd : clients) close(fd);
   close(talker);
   close(lazy);
+}
+
+TEST_CASE("a request that goes wrong is answered too, and harms nobody", "[output][control]") {
+  const test::ScratchFolder scratch;
+  const std::string path = scratch.path / "ctl";
+  ControlServer server(path);
+  const int client = connect_raw(path);
+  send(client, "status\n", 7, MSG_NOSIGNAL);
+  server.serve([](Request) -> std::string { throw std::runtime_error("broken"); });
+  std::array<char, 256> answer{};
+  CHECK(recv(client, answer.data(), answer.size() - 1, 0) > 0);
+  CHECK_THAT(answer.data(), Catch::Contains("error"));
+  close(client);
+}
+
+TEST_CASE("a socket is never put in a file's place", "[output][control]") {
+  const test::ScratchFolder scratch;
+  const auto file = scratch.path / "robot.toml";
+  std::ofstream(file) << "[mount]\n";
+  CHECK_THROWS_WITH(ControlServer(file.string()), Catch::Contains("file of another kind"));
+  CHECK(std::filesystem::file_size(file) == 8);
 }
 
 TEST_CASE("a socket has one server; what a dead one left is replaced; it is its user's alone",

@@ -64,7 +64,7 @@ TEST_CASE("latency.csv has a row per sweep and a cell per column", "[output][lat
   CHECK(header.substr(0, 60) == "sequence,stamp_ns,ingest_wait_ms,ingest_run_ms,ingest_cpu_ms");
   CHECK(first ==
         "0,1317378034000000000,0.0000,100.0000,2.0000,1.0000,3.0000,3.0000,0.0000,4.0000,4.0000,"
-        "2.0000,5.0000,5.0000,,,,15.0000,");
+        "2.0000,5.0000,5.0000,,,,,,,15.0000,");
   int rows = 1;
   for (; std::getline(lines, line); ++rows)
     CHECK(std::count(line.begin(), line.end(), ',') == std::count(header.begin(), header.end(), ','));

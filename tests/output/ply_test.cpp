@@ -35,6 +35,15 @@ TEST_CASE("a PLY has its points as 14 little-endian bytes each", "[output][ply]"
   CHECK(body(ply) == expected);
 }
 
+TEST_CASE("a coloured PLY has 15 bytes per point", "[output][ply]") {
+  const ScratchFolder scratch;
+  write_ply(scratch.path / "scan.ply", std::vector<ColouredPoint>{{1.0F, -2.0F, 0.5F, {255, 0, 7}}});
+  const std::string ply = contents(scratch.path / "scan.ply");
+  CHECK_THAT(ply, Contains("property float z\nproperty uchar red\nproperty uchar green\n"
+                           "property uchar blue\nend_header\n"));
+  CHECK(body(ply) == std::string("\x00\x00\x80\x3f\x00\x00\x00\xc0\x00\x00\x00\x3f\xff\x00\x07", 15));
+}
+
 TEST_CASE("large maps are whole", "[output][ply]") {
   const ScratchFolder scratch;
   std::vector<PlyPoint> points(150'000);
@@ -51,7 +60,7 @@ TEST_CASE("large maps are whole", "[output][ply]") {
 
 TEST_CASE("an empty map is a valid file, a full disk an Error", "[output][ply]") {
   const ScratchFolder scratch;
-  write_ply(scratch.path / "map.ply", {});
+  write_ply(scratch.path / "map.ply", std::vector<PlyPoint>{});
   CHECK_THAT(contents(scratch.path / "map.ply"), Contains("element vertex 0\n"));
   CHECK_THROWS_WITH(write_ply("/dev/full", std::vector<PlyPoint>(10)),
                     Contains("/dev/full: cannot be written"));

@@ -47,6 +47,20 @@ RunTotals totals(std::uint64_t sweeps) {
   return t;
 }
 
+TEST_CASE("the way back to a reset's origin is no path, also when the reset's own sweep got no pose",
+          "[output][run_report]") {
+  RunTotals t = totals(4);
+  SweepRecord reset = record(4);
+  reset.has_pose = false;
+  reset.header.flags = kAfterReset | kSuperseded;
+  t.add(reset);
+  for (std::uint64_t i = 0; i < 3; ++i) t.add(record(i));
+  CHECK(t.length_m == Approx(3.0 + 2.0));
+  CHECK(t.num_poses == 7);
+  CHECK(t.superseded == 1);
+  CHECK(t.partial == 0);
+}
+
 TEST_CASE("totals follow the poses", "[output][run_report]") {
   RunTotals t = totals(4);
   CHECK(t.num_poses == 4);
@@ -183,7 +197,8 @@ TEST_CASE("with an interval of 0 each pose is on the disk at once", "[output][ru
 
 TEST_CASE("a full disk leaves complaints and the other files", "[output][run_recorder]") {
   const ScratchFolder scratch;
-  for (const char* name : {"odometry.tum", "latency.csv", "run.json"})
+  // A report is written beside its place first.
+  for (const char* name : {"odometry.tum", "latency.csv", "run.json.new"})
     std::filesystem::create_symlink("/dev/full", scratch.path / name);
   RunRecorder recorder(scratch.path, OutputConfig{});
   for (std::uint64_t i = 0; i < 10; ++i) recorder.add(record(i));
@@ -191,7 +206,7 @@ TEST_CASE("a full disk leaves complaints and the other files", "[output][run_rec
   const auto complaints = recorder.complaints();
   REQUIRE(complaints.size() == 3);
   CHECK_THAT(complaints[0], Contains("odometry.tum: cannot be written"));
-  CHECK_THAT(complaints[2], Contains("run.json: cannot be written"));
+  CHECK_THAT(complaints[2], Contains("run.json.new: cannot be written"));
   CHECK(evaluation::read_trajectory(scratch.path / "trajectory.tum").poses.size() == 10);
 }
 

@@ -2,6 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "src/pipeline/backlog.hpp"
 
+#include <string>
+#include <vector>
+
 #include "support/catch.hpp"
 
 using namespace pago;
@@ -10,8 +13,9 @@ namespace {
 
 /// What becomes of the next sweeps: o worked on, x passed over.
 std::string begin(Backlog& backlog, int count) {
+  static std::uint64_t sequence = 0;
   std::string fates;
-  for (int i = 0; i < count; ++i) fates += backlog.passes_over() ? 'x' : 'o';
+  for (int i = 0; i < count; ++i) fates += backlog.passes_over(sequence++) ? 'x' : 'o';
   return fates;
 }
 void arrive(Backlog& backlog, int count) {
@@ -60,4 +64,13 @@ TEST_CASE("a replay passes over none", "[pipeline][backlog]") {
   Backlog backlog(0);
   arrive(backlog, 100);
   CHECK(begin(backlog, 100) == std::string(100, 'o'));
+}
+
+TEST_CASE("a replay repeats what was recorded", "[pipeline][backlog]") {
+  const std::vector<std::uint64_t> recorded{3, 4, 9};
+  Backlog backlog(0, Recorded(recorded));
+  std::vector<std::uint64_t> passed_over;
+  for (const std::uint64_t sequence : {0U, 1U, 3U, 4U, 5U, 8U, 10U})
+    if (backlog.passes_over(sequence)) passed_over.push_back(sequence);
+  CHECK(passed_over == std::vector<std::uint64_t>{3, 4});
 }

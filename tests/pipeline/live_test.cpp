@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <chrono>
 #include <cstring>
+#include <functional>
 #include <thread>
 #include <vector>
 
@@ -26,6 +27,7 @@ const std::vector<test::PacketBytes>& street_drive() {
 struct Collector final : Observer {
   void on_sweep(const output::SweepRecord& record) override {
     records.push_back(record);
+    if (records.size() == reset_at) on_reset();
     ++num_through;
     std::this_thread::sleep_for(delay);
   }
@@ -36,6 +38,8 @@ struct Collector final : Observer {
   std::vector<output::PoseV1> poses;
   IngestStatus status;
   std::chrono::milliseconds delay{0};
+  std::size_t reset_at = 0;
+  std::function<void()> on_reset;
   std::atomic<std::uint64_t> num_through{0};
   std::atomic<bool> stop{false};
 };
@@ -92,7 +96,13 @@ TEST_CASE("a live run that keeps up gives the bytes of a replay, and each pose t
     CHECK(std::memcmp(&live.records[i].T_odom_sensor_refined, &replay.records[i].T_odom_sensor_refined,
                       sizeof(output::PoseRow)) == 0);
   }
-  REQUIRE(live.poses.size() == 2 * summary.sweeps.posed);
+  // When the stream ends in a sweep the last pose is told again, as lost.
+  REQUIRE(live.poses.size() == 2 * (summary.sweeps.posed + 1));
+  for (int i = 0; i < 2; ++i) {
+    CHECK(live.poses.back().health == PAGO_HEALTH_LOST);
+    CHECK(live.poses.back().sequence == live.poses[live.poses.size() - 3].sequence);
+    live.poses.pop_back();
+  }
   CHECK(replay.poses.empty());
   for (std::size_t i = 0; i < live.poses.size(); ++i) {
     CHECK(live.poses[i].kind == (i % 2 == 0 ? PAGO_POSE_FIRST : PAGO_POSE_REFINED));
@@ -124,6 +134,35 @@ TEST_CASE("a source faster than the pipeline costs whole sweeps, each counted by
   }
   CHECK(posed == summary.sweeps.posed);
   CHECK(superseded == summary.sweeps.dropped[static_cast<std::size_t>(SweepDrop::kSuperseded)]);
+}
+
+TEST_CASE("a live run that dropped sweeps is repeated to the last bit when told what it dropped",
+          "[pipeline][live]") {
+  Collector live, replay;
+  output::DecisionLog log;
+  Config config = live_config();
+  config.assembly.ring_size = 2;
+  config.pipeline.max_pending = 1;
+  config.assembly.sectors = GENERATE(1, 4);
+  test::MemorySource source(street_drive());
+  Pipeline overloaded(config, Pace::kLive);
+  live.reset_at = 2;
+  live.on_reset = [&] { overloaded.request_reset(); };
+  const RunSummary summary = overloaded.run(source, test::ideal_calibration(), live, live.stop);
+  REQUIRE(summary.sweeps.dropped_total() > 0);
+  for (const auto& record : live.records) log.add(record);
+  log.close(summary.requests);
+
+  test::MemorySource again(street_drive());
+  Pipeline(config, Pace::kReplay, log.decisions()).run(again, test::ideal_calibration(), replay, replay.stop);
+  REQUIRE(replay.records.size() == live.records.size());
+  for (std::size_t i = 0; i < live.records.size(); ++i) {
+    const auto &a = live.records[i], &b = replay.records[i];
+    CHECK(a.header.sequence == b.header.sequence);
+    CHECK(a.header.flags == b.header.flags);
+    CHECK(a.has_pose == b.has_pose);
+    CHECK(std::memcmp(&a.T_odom_sensor_refined, &b.T_odom_sensor_refined, sizeof(output::PoseRow)) == 0);
+  }
 }
 
 TEST_CASE("live, a sensor that cannot be read does not end the run", "[pipeline][live]") {

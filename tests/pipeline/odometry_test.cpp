@@ -268,12 +268,15 @@ TEST_CASE("a scan that cannot be used is refused with a reason and leaves no tra
   }
 }
 
+/// Until then the first motion is being sought.
+constexpr int kStart_sweeps = 8;
+
 TEST_CASE("scans without points are carried over by the motion so far", "[pipeline][library]") {
   Odometry odometry;
   Estimate last;
-  for (const OwnedScan& scan : street_drive(4)) last = odometry.process(scan.view());
+  for (const OwnedScan& scan : street_drive(kStart_sweeps)) last = odometry.process(scan.view());
   OwnedScan empty;
-  empty.stamp_ns = 4 * kPeriod_ns;
+  empty.stamp_ns = kStart_sweeps * kPeriod_ns;
   const Estimate carried = odometry.process(empty.view());
   CHECK(carried.has_pose);
   CHECK(carried.health == Health::kDegraded);
@@ -285,8 +288,8 @@ TEST_CASE("scans without points are carried over by the motion so far", "[pipeli
 TEST_CASE("a clock that begins anew costs trust but not the pose", "[pipeline][library]") {
   Odometry odometry;
   Estimate last;
-  for (const OwnedScan& scan : street_drive(3)) last = odometry.process(scan.view());
-  OwnedScan next = street_scan(3, drive_twist());
+  for (const OwnedScan& scan : street_drive(kStart_sweeps)) last = odometry.process(scan.view());
+  OwnedScan next = street_scan(kStart_sweeps, drive_twist());
   next.stamp_ns = 0;
   const Estimate after = odometry.process(next.view());
   CHECK(after.has_pose);
@@ -317,6 +320,8 @@ TEST_CASE("settings that cannot be used are refused when the odometry is made", 
   Config config;
   config.ground.method = "lawn";
   CHECK_THROWS_AS(Odometry(config), Error);
+  config.ground.method = "truth";
+  CHECK_THROWS_WITH(Odometry(config), Catch::Contains("needs labels"));
   config = {};
   config.odometry.max_rounds = 0;
   CHECK_THROWS_WITH(Odometry(config), Catch::Contains("odometry.max_rounds"));

@@ -20,7 +20,9 @@ struct Collector final : Observer {
     if (records.size() == throw_at) throw std::runtime_error("disk on fire");
     if (records.size() == stop_at) stop = true;
   }
+  void on_mount(const ground::MountReport& report) override { mounts.push_back(report); }
   std::vector<output::SweepRecord> records;
+  std::vector<ground::MountReport> mounts;
   std::size_t throw_at = 0, stop_at = 0;
   std::atomic<bool> stop{false};
 };
@@ -113,12 +115,26 @@ TEST_CASE("packets of a drive come out as its trajectory", "[pipeline]") {
   REQUIRE(log_se3(T_last)[5] == Approx(0.04).margin(0.01));
 }
 
+TEST_CASE("the verdict on the mount is told once, and stands in the summary", "[pipeline]") {
+  Config config = small_config();
+  config.ground.mount_check.sweeps = 2;
+  config.mount.height_m = 2.4;
+  Collector collector;
+  const RunSummary summary = drive(config, collector);
+  CHECK(summary.mount.finding == ground::MountFinding::kWrongHeight);
+  CHECK(summary.mount.height_m == Approx(1.73).margin(0.05));
+  REQUIRE(collector.mounts.size() == 1);
+  CHECK(collector.mounts[0].finding == summary.mount.finding);
+  CHECK(collector.mounts[0].height_m == summary.mount.height_m);
+}
+
 TEST_CASE("every stage says how long it took on each sweep, in order", "[pipeline]") {
   Collector collector;
   drive(small_config(), collector);
   for (const auto& record : collector.records) {
     std::int64_t before_ns = 0;
-    for (const StageId stage : {StageId::kIngest, StageId::kGround, StageId::kFeatures, StageId::kOdometry}) {
+    for (const StageId stage : {StageId::kIngest, StageId::kGround, StageId::kFeatures, StageId::kOdometry,
+                                StageId::kMapping, StageId::kUpdate}) {
       const StageTime& time = record.time_of(stage);
       REQUIRE(time.start_ns > 0);
       REQUIRE(time.end_ns >= time.start_ns);
@@ -132,18 +148,19 @@ TEST_CASE("every stage says how long it took on each sweep, in order", "[pipelin
 TEST_CASE("ring size, batch size and sectors leave the bytes alone", "[pipeline]") {
   Collector reference;
   drive(small_config(), reference);
-  for (const int ring_size : {2, 6}) {
-    for (const std::size_t batch : {std::size_t{1}, std::size_t{500}}) {
-      for (const int sectors : {1, 8}) {
-        Config config = small_config();
-        config.assembly.ring_size = ring_size;
-        config.assembly.sectors = sectors;
-        Collector collector;
-        drive(config, collector, batch);
-        INFO("ring " << ring_size << ", batch " << batch << ", sectors " << sectors);
-        REQUIRE(same_poses(reference, collector));
-      }
-    }
+  struct Case {
+    int ring_size;
+    std::size_t batch;
+    int sectors;
+  };
+  for (const auto& [ring_size, batch, sectors] : {Case{2, 1, 8}, {6, 500, 1}, {2, 500, 8}}) {
+    Config config = small_config();
+    config.assembly.ring_size = ring_size;
+    config.assembly.sectors = sectors;
+    Collector collector;
+    drive(config, collector, batch);
+    INFO("ring " << ring_size << ", batch " << batch << ", sectors " << sectors);
+    REQUIRE(same_poses(reference, collector));
   }
 }
 

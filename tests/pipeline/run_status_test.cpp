@@ -42,6 +42,13 @@ TEST_CASE("each thing that keeps a stream from running has its state and its lik
   CHECK_THAT(sentence(foreign),
              Catch::Contains("12 from another sender") && Catch::Contains("source_address"));
 
+  IngestStatus damaged;
+  damaged.source.received = damaged.source.delivered = damaged.packets.received = 15;
+  damaged.packets.bad[static_cast<std::size_t>(PacketFault::kSize)] = 15;
+  damaged.last_delivery_ns = kNow_ns - 400'000'000;
+  CHECK(stream_state(damaged, kNow_ns) == StreamState::kForeign);
+  CHECK_THAT(sentence(damaged), Catch::Contains("15 of another size"));
+
   IngestStatus silent = running();
   silent.last_delivery_ns = kNow_ns - 400'000'000;
   CHECK(stream_state(silent, kNow_ns) == StreamState::kSilent);

@@ -3,7 +3,6 @@
 #pragma once
 
 #include <array>
-#include <cmath>
 #include <cstdint>
 #include <cstring>
 
@@ -13,8 +12,9 @@ namespace pago::test {
 
 using PacketBytes = std::array<std::uint8_t, hdl64::kPacketBytes>;
 
-/// Writes HDL-64E single-return datagrams. Made, it holds a valid packet without returns: azimuths and stamp
-/// zero, status 'H' 0. Setters chain; `flag` and `block_azimuth_cdeg` can also break it.
+/// Writes HDL-64E datagrams. Made, it holds a valid single-return packet without returns: azimuths and stamp
+/// zero, status 'H' 0. Setters chain; `flag` and `block_azimuth_cdeg` can also break it, or make it another
+/// model's. Firings are those of a single-return packet.
 class PacketBuilder {
  public:
   PacketBuilder() {
@@ -37,7 +37,10 @@ class PacketBuilder {
   }
   /// `raw` counts 2 mm without the calibration's distCorrection; 0 = no return.
   PacketBuilder& slot(int firing, int laser, int raw, int intensity = 100) {
-    const std::size_t byte = at(2 * firing + laser / 32) + 4 + 3 * static_cast<std::size_t>(laser % 32);
+    return block_slot(2 * firing + laser / 32, laser % 32, raw, intensity);
+  }
+  PacketBuilder& block_slot(int block, int laser, int raw, int intensity = 100) {
+    const std::size_t byte = at(block) + 4 + 3 * static_cast<std::size_t>(laser);
     bytes_[byte + 2] = static_cast<std::uint8_t>(intensity);
     return put(byte, u16(raw));
   }
@@ -47,6 +50,11 @@ class PacketBuilder {
     return *this;
   }
   PacketBuilder& stamp_us(std::uint32_t stamp) { return put(1200, stamp); }
+  /// The trailer of early units: a counter, then text instead of stamp and status.
+  PacketBuilder& early_trailer(std::uint16_t counter, const char (&text)[5]) {
+    std::memcpy(bytes_.data() + 1202, text, 4);
+    return put(1200, counter);
+  }
   PacketBuilder& status(char type, std::uint8_t value) {
     bytes_[1204] = static_cast<std::uint8_t>(type);
     bytes_[1205] = value;
@@ -65,53 +73,6 @@ class PacketBuilder {
     return *this;
   }
   PacketBytes bytes_{};
-};
-
-/// A sensor that turns steadily in the middle of a round room: every laser sees `raw` in every firing. The
-/// first firing of packet 0 is at `azimuth_deg` and `stamp_us`; a stamp names its packet's first firing.
-struct StreamSettings {
-  double rotation_hz = 10.0;       ///< negative turns backwards, 0 stands
-  double azimuth_deg = 180.0;      ///< true encoder angle at the first firing
-  double encoder_step_deg = 0.09;  ///< headers show the last step passed; 0.01 for an ideal encoder
-  std::uint32_t stamp_us = 1'799'000'000;
-  std::int64_t arrival_ns = 1'700'000'000'000'000'000;  ///< of packet 0
-  int raw = 4000;
-};
-
-/// Makes the packets of such a stream one by one; any index may be asked for, so loss and reordering are made
-/// by choosing indices.
-class PacketStream {
- public:
-  explicit PacketStream(const StreamSettings& settings = {}) : settings_(settings) {}
-
-  PacketBytes packet(std::int64_t index) const {
-    PacketBuilder builder;
-    builder.fill(settings_.raw).stamp_us(stamp_us(index));
-    for (int firing = 0; firing < hdl64::kFirings; ++firing)
-      builder.azimuth_cdeg(firing, header_azimuth_cdeg(index * hdl64::kFirings + firing));
-    return builder.bytes();
-  }
-  /// Encoder angle at the start of a firing (6 per packet), degrees in [0, 360).
-  double true_azimuth_deg(std::int64_t firing) const {
-    const double turned = settings_.rotation_hz * 360.0 * 48e-6 * static_cast<double>(firing);
-    const double angle = std::fmod(settings_.azimuth_deg + turned, 360.0);
-    return angle < 0.0 ? angle + 360.0 : angle;
-  }
-  std::int64_t arrival_ns(std::int64_t index) const {
-    return settings_.arrival_ns + index * hdl64::kPacketPeriod_ns;
-  }
-
- private:
-  std::uint32_t stamp_us(std::int64_t index) const {
-    const std::int64_t us = settings_.stamp_us + index * hdl64::kPacketPeriod_ns / 1000;
-    return static_cast<std::uint32_t>(us % hdl64::kStampWrap_us);
-  }
-  int header_azimuth_cdeg(std::int64_t firing) const {
-    const double step = settings_.encoder_step_deg;
-    const double shown_deg = std::floor(true_azimuth_deg(firing) / step + 1e-9) * step;
-    return static_cast<int>(std::lround(shown_deg * 100.0)) % 36000;
-  }
-  StreamSettings settings_;
 };
 
 }  // namespace pago::test

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "pago/core/mount.hpp"
+#include "pago/core/semantic_kitti.hpp"
 #include "pago/core/sweep.hpp"
 
 namespace pago::test {
@@ -37,20 +38,27 @@ struct ScanOptions {
 ///   const auto truth = scene.scan(sweep);                    // truth[i]: kGround or kNonGround
 class Scene {
  public:
-  /// The half-space under z = height + grade_x x + grade_y y; grade 0.1 = 10 %. Where x < from_x_m it is not
-  /// there.
+  /// The plane z = height + grade_x x + grade_y y, where from_x_m <= x < until_x_m; grade 0.1 = 10 %.
   Scene& ground(double grade_x,
                 double grade_y = 0.0,
                 double height_m = 0.0,
-                double from_x_m = -std::numeric_limits<double>::infinity()) {
-    planes_.push_back({{-grade_x, -grade_y, 1.0}, height_m, from_x_m});
+                double from_x_m = -kEverywhere,
+                double until_x_m = kEverywhere) {
+    planes_.push_back({{-grade_x, -grade_y, 1.0}, height_m, from_x_m, until_x_m});
     return *this;
   }
   Scene& level_ground() { return ground(0.0); }
 
-  /// Level up to x = start_m, then rising by `grade`.
+  /// Makes every plane wavy where |y| > beyond_m: up and down by `height_m`, `length_m` from crest to crest
+  /// along x and along y.
+  Scene& bumps(double height_m, double length_m, double beyond_m = -1.0) {
+    bumps_.push_back({height_m, 2.0 * std::numbers::pi / length_m, beyond_m});
+    return *this;
+  }
+
+  /// Level up to x = start_m, then rising by `grade`, or falling.
   Scene& ramp(double grade, double start_m) {
-    level_ground();
+    ground(0.0, 0.0, 0.0, -kEverywhere, start_m);
     return ground(grade, 0.0, -grade * start_m, start_m);
   }
 
@@ -61,7 +69,7 @@ class Scene {
   }
 
   /// Fills the sweep with one clockwise rotation that starts behind the vehicle, firing by firing, each
-  /// firing from the lowest ring up; range image and times included. Returns what each return hit.
+  /// firing from the lowest ring up; range image, times and labels included. Returns what each return hit.
   std::vector<std::uint8_t> scan(Sweep& sweep, const ScanOptions& options = {}) const {
     const Eigen::Isometry3d T_base_sensor = options.mount.T_base_sensor();
     std::mt19937 random(options.seed);
@@ -77,6 +85,8 @@ class Scene {
         const Hit hit = cast(T_base_sensor.translation(), T_base_sensor.linear() * beam);
         if (!(hit.range_m <= options.max_range_m)) continue;
         add(sweep, beam * (hit.range_m + options.noise_m * noise(random)), ring, column);
+        constexpr std::uint16_t kBuilding = 50;
+        sweep.label[sweep.size - 1] = hit.surface == kGround ? semantic_kitti::kRoad : kBuilding;
         truth.push_back(hit.surface);
       }
     }
@@ -84,9 +94,10 @@ class Scene {
   }
 
  private:
+  static constexpr double kEverywhere = std::numeric_limits<double>::infinity();
   struct Plane {
     Eigen::Vector3d normal;
-    double height_m, from_x_m;
+    double height_m, from_x_m, until_x_m;
   };
   struct Box {
     Eigen::AlignedBox3d extent;
@@ -104,6 +115,7 @@ class Scene {
     sweep.header.firings_received = sweep.header.num_columns;
     sweep.header.rotation_rev = 1.0F;
     sweep.header.end_ns = kFiring_ns * options.columns;
+    sweep.header.flags = kLabelled;
   }
 
   static void add(Sweep& sweep, const Eigen::Vector3d& point, int ring, int column) {
@@ -121,8 +133,9 @@ class Scene {
   Hit cast(const Eigen::Vector3d& origin, const Eigen::Vector3d& direction) const {
     Hit nearest;
     for (const Plane& plane : planes_) {
-      const double range_m = (plane.height_m - plane.normal.dot(origin)) / plane.normal.dot(direction);
-      const bool is_there = origin.x() + range_m * direction.x() >= plane.from_x_m;
+      const double range_m = meet(plane, origin, direction);
+      const double x_m = origin.x() + range_m * direction.x();
+      const bool is_there = x_m >= plane.from_x_m && x_m < plane.until_x_m;
       if (range_m > 0.0 && range_m < nearest.range_m && is_there) nearest = {range_m, kGround};
     }
     for (const Box& box : boxes_) {
@@ -130,6 +143,31 @@ class Scene {
       if (range_m > 0.0 && range_m < nearest.range_m) nearest = {range_m, box.surface};
     }
     return nearest;
+  }
+
+  double bump(const Eigen::Vector3d& p) const {
+    double height_m = 0.0;
+    for (const Bump& b : bumps_)
+      if (std::abs(p.y()) > b.beyond_m)
+        height_m += b.height_m * std::sin(b.per_m * p.x()) * std::cos(b.per_m * p.y());
+    return height_m;
+  }
+
+  /// Range at which a ray meets a plane; with bumps, roughly where it first goes under the ground.
+  double meet(const Plane& plane, const Eigen::Vector3d& origin, const Eigen::Vector3d& direction) const {
+    const auto above_m = [&](double range_m) {
+      const Eigen::Vector3d p = origin + range_m * direction;
+      return plane.normal.dot(p) - plane.height_m - bump(p);
+    };
+    if (bumps_.empty()) return (plane.height_m - plane.normal.dot(origin)) / plane.normal.dot(direction);
+    double low = 0.0, high = 0.5;
+    while (above_m(high) > 0.0) {
+      low = high;
+      high += 0.02 * high + 0.1;
+      if (high > 200.0) return kEverywhere;
+    }
+    for (int i = 0; i < 30; ++i) (above_m(0.5 * (low + high)) > 0.0 ? low : high) = 0.5 * (low + high);
+    return high;
   }
 
   /// Range at which a ray enters a box, infinite if it misses.
@@ -143,6 +181,10 @@ class Scene {
     return first <= last ? first : std::numeric_limits<double>::infinity();
   }
 
+  struct Bump {
+    double height_m, per_m, beyond_m;
+  };
+  std::vector<Bump> bumps_;
   std::vector<Plane> planes_;
   std::vector<Box> boxes_;
 };

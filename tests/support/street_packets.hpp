@@ -6,7 +6,7 @@
 
 #include "pago/core/sources.hpp"
 #include "pago/hdl64/calibration.hpp"
-#include "pago/hdl64/firing_decoder.hpp"
+#include "pago/hdl64/stream_format.hpp"
 #include "support/packet_builder.hpp"
 #include "support/street.hpp"
 
@@ -40,7 +40,7 @@ inline std::vector<PacketBytes> drive_packets(const Vector6d& twist, int sweeps,
       builder.azimuth_cdeg(k, static_cast<int>(std::floor(turned_deg / 0.09) * 9.0) % 36000);
       const Eigen::Isometry3d T_world_sensor = street_start() * exp_se3(twist * fired_s);
       for (int laser = 0; laser < hdl64::kLasers; ++laser) {
-        const double late_s = hdl64::FiringDecoder::laser_time_ns(laser) * 1e-9;
+        const double late_s = hdl64::laser_time_ns(laser) * 1e-9;
         const double azimuth = (turned_deg + 360.0 * rotation_hz * late_s) * std::numbers::pi / 180.0;
         const double elevation = calibration.lasers[static_cast<std::size_t>(laser)].vertical_rad;
         const Eigen::Vector3d beam(std::cos(elevation) * std::cos(azimuth),

@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <array>
 #include <cstdint>
+#include <memory>
 
 #include "pago/assembly/sweep_exchange.hpp"
 #include "pago/config/assembly.hpp"
-#include "pago/hdl64/firing_decoder.hpp"
+#include "pago/hdl64/packet_decoder.hpp"
 
 namespace pago {
 
@@ -17,6 +17,7 @@ struct Firing {
   std::int64_t arrival_ns = 0;  ///< of its packet, host clock
   double revolutions = 0.0;     ///< unwrapped encoder azimuth at its start, clockwise
   double rate_rev_s = 0.0;      ///< above 0
+  bool is_after_blind = false;  ///< what is missing before it was never sent: the field of view is limited
 };
 
 /// Every rotation that was begun has one fate: opened = handed_on + no_free_sweep + is_open.
@@ -37,7 +38,7 @@ struct AssemblyCounters {
 /// A sweep ends at the firing nearest to the cut azimuth. Whatever happens to the stream, each rotation of
 /// the head gives at most one sweep, and the sequence number counts rotations:
 ///  - less than 90 % of a rotation at the start or end of the stream: kPartialStart, kPartialEnd;
-///  - less than 90 % of the firings received otherwise: kIncomplete;
+///  - less than 90 % of the firings received otherwise (of those that were sent): kIncomplete;
 ///  - rotations without any firing before it: kAfterGap;
 ///  - no room for another firing (slower than 5 Hz, or more returns than max_returns): kOverfull; it is
 ///  closed
@@ -48,13 +49,21 @@ struct AssemblyCounters {
 /// [set-up] constructor; [ingest thread] the rest, real-time safe.
 class Assembler {
  public:
-  Assembler(const AssemblyConfig& config,
-            const hdl64::Calibration& calibration,
-            SweepExchange& exchange,
-            std::int64_t firing_period_ns = hdl64::kFiringPeriod_ns);
+  Assembler(const AssemblyConfig& config, const hdl64::Calibration& calibration, SweepExchange& exchange);
+  ~Assembler();
 
-  /// Takes the next firing, in order of time.
-  void add(const Firing& firing, const hdl64::FiringReturns& returns) noexcept;
+  /// What kind of firings come from now on: single return and 48 us apart unless said otherwise. No sweep may
+  /// be open.
+  void set_format(const hdl64::StreamFormat& format) noexcept;
+
+  /// Takes the next firing, in order of time. `others`, dual return only, are what its lasers saw besides.
+  void add(const Firing& firing,
+           const hdl64::FiringReturns& strongest,
+           const hdl64::FiringReturns* others = nullptr) noexcept;
+
+  /// No firing comes any more before the cut: the sensor does not look there. Ends the open sweep, as the
+  /// next firing beyond the cut would.
+  void end_rotation() noexcept;
 
   /// The stream broke off and will go on elsewhere (clock restarted, head stopped or jumped): ends the open
   /// sweep. Without effect when nothing was added since the last call.
@@ -62,6 +71,9 @@ class Assembler {
 
   /// The stream is over, or has fallen silent: ends the open sweep. What comes later begins a new stream.
   void finish() noexcept;
+
+  /// For the headers of sweeps that are handed on from now on (SweepHeader::clock_offset_ns).
+  void set_clock_offset(std::int64_t offset_ns) noexcept { clock_offset_ns_ = offset_ns; }
 
   /// A malformed datagram came; noted in the open sweep's header.
   void note_bad_packet() noexcept {
@@ -78,17 +90,20 @@ class Assembler {
     std::int64_t time_ns = 0;
     double turn = 0.0, step = 0.0;  ///< rotations since the cut azimuth; and from firing to firing
   };
-  using Lanes = std::array<std::int32_t, hdl64::kLasers>;  ///< one per laser
+  struct Lanes;  // per laser, and the newest columns
 
   std::int64_t steps_after_last(std::int64_t time_ns) const noexcept;
   int cross_cut(const Firing& firing, double turn, double step, std::int64_t rotation) noexcept;
   void open(const Firing& firing, int columns, bool after_gap) noexcept;
   void aim_lasers(double step) noexcept;
-  void append(const hdl64::FiringReturns& returns, int column, std::int32_t offset_ns) noexcept;
-  void fetch_rows_ahead(const std::int32_t* cells, int column) const noexcept;
-  void fetch_arrays_ahead() noexcept;
+  void append(const Firing& firing,
+              int column,
+              const hdl64::FiringReturns& strongest,
+              const hdl64::FiringReturns* others) noexcept;
+  void fill_cells(std::uint64_t valid, int column) noexcept;
+  void write_cells() noexcept;
   void hand_on_sectors() noexcept;
-  void close_at_cut(int lost_before_cut) noexcept;
+  void close_at_cut(int lost_before_cut, bool is_blind) noexcept;
   void close_within_rotation(std::uint32_t flags) noexcept;
   void complete_header(double end_turn, int due_until, int columns, std::uint32_t flags) noexcept;
   void fold_margins() noexcept;
@@ -96,10 +111,10 @@ class Assembler {
 
   SweepExchange& exchange_;
   double cut_rev_;
-  std::int64_t firing_period_ns_;
+  std::int64_t firing_period_ns_ = hdl64::kFiringPeriod_ns;
+  std::uint32_t room_ = hdl64::kLasers;  // that a firing's returns may need
   int sectors_;
-  std::array<double, hdl64::kLasers> laser_rotation_rev_{};
-  Lanes laser_ring_{};
+  std::unique_ptr<Lanes> lanes_;
 
   std::int64_t rotation_ = 0;  // the present one, by the encoder
   std::uint64_t sequence_ = 0;
@@ -113,12 +128,12 @@ class Assembler {
   double start_turn_ = 0.0;
   bool is_first_of_stream_ = false;
   int expected_from_ = 0, filled_until_ = 0;  // columns in which firings were due, and were had
-  Lanes shift_{};                             // of a laser's column against the firing's
-  Lanes cell_{};                              // where a laser's column 0 lies in the range image
   int lowest_shift_ = 0;
+  int blind_ = 0;  // firings of it that were never sent
   int sector_columns_ = 0, next_sector_column_ = 0;
   int parts_handed_on_ = 0;
 
+  std::int64_t clock_offset_ns_ = 0;
   AssemblyCounters counters_;
 };
 

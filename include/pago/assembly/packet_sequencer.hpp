@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "pago/core/counters.hpp"
-#include "pago/hdl64/packet.hpp"
+#include "pago/hdl64/stream_format.hpp"
 
 namespace pago {
 
@@ -49,7 +49,10 @@ class PacketSequencer {
     kLate        ///< newer ones have been used already: drop it
   };
 
-  explicit PacketSequencer(int window, std::int64_t packet_period_ns = hdl64::kPacketPeriod_ns);
+  explicit PacketSequencer(int window);
+
+  /// What kind of packets come from now on: single return unless said otherwise.
+  void set_format(const hdl64::StreamFormat& format) noexcept;
 
   Verdict offer(const StampedPacket& packet) noexcept;
   /// The held packet whose turn has come, if any. Valid until the next offer().
@@ -59,8 +62,12 @@ class PacketSequencer {
   std::optional<StampedPacket> take_regardless() noexcept;
   /// The next packet begins a new count of time; nothing may be held.
   void restart() noexcept;
-  /// As if no packet had been offered yet; returns how many were held.
-  std::uint64_t forget() noexcept;
+
+  /// How many packet periods the newest packet that was given out lies behind the one before it; 1 if none is
+  /// missing, or there was none before.
+  std::int64_t periods_on() const noexcept { return periods_on_; }
+  /// So many firings that counted as lost were never sent.
+  void excuse(std::uint64_t firings) noexcept;
 
   const FiringCounters& firings() const noexcept { return firings_; }
   /// Packets of which take() or offer() gave back an older one after a newer one had been held.
@@ -78,7 +85,7 @@ class PacketSequencer {
     bool operator==(const Identity&) const = default;
   };
   static Identity identify(const StampedPacket& packet) noexcept {
-    return {packet.time_ns, packet.view().azimuth_cdeg(0)};
+    return {packet.time_ns, packet.view().block_azimuth_cdeg(0)};
   }
 
   std::int64_t periods_after_last(std::int64_t time_ns) const noexcept;
@@ -87,13 +94,14 @@ class PacketSequencer {
   std::size_t oldest() const noexcept;
   std::optional<StampedPacket> take_slot(std::size_t slot) noexcept;
 
-  std::int64_t packet_period_ns_;
+  std::int64_t packet_period_ns_ = hdl64::kPacketPeriod_ns;
+  std::uint64_t firings_per_packet_ = hdl64::kFirings;
   std::size_t window_;
   std::vector<Slot> slots_;  // one more than the window: room for the packet that overfills it
   std::size_t held_ = 0;
   std::array<Identity, 16> recent_{};  // the last ones used
   std::size_t next_recent_ = 0;
-  std::int64_t last_ns_ = 0;
+  std::int64_t last_ns_ = 0, periods_on_ = 1;
   bool started_ = false;
   FiringCounters firings_;
   std::uint64_t reordered_ = 0;

@@ -6,7 +6,7 @@
 
 #include "pago/config/vehicle.hpp"
 #include "pago/core/mount.hpp"
-#include "pago/hdl64/firing_decoder.hpp"
+#include "pago/hdl64/packet_decoder.hpp"
 
 namespace pago {
 

@@ -27,6 +27,29 @@ void describe(Visitor& v, ClusteringConfig& c) {
   v("min_rings_tall", c.min_rings_tall, within(1, 64), "see min_points_tall (LeGO-LOAM: 3)");
 }
 
+/// [features.thinning] Which returns the local map and saved maps are made of.
+struct ThinningConfig {
+  double min_range_m = 3.0;
+  double max_range_m = 100.0;
+  double dense_spacing_m = 0.15;
+  double map_voxel_m = 0.4;
+  double key_voxel_m = 1.0;
+  int key_points = 2000;
+};
+
+template <typename Visitor>
+void describe(Visitor& v, ThinningConfig& c) {
+  v("min_range_m", c.min_range_m, within(0.0, 20.0), "closer returns stay out of every map");
+  v("max_range_m", c.max_range_m, within(5.0, 200.0), "and so do those farther away");
+  v("dense_spacing_m", c.dense_spacing_m, within(0.01, 5.0),
+    "saved maps keep returns about so far apart along a ring");
+  v("map_voxel_m", c.map_voxel_m, within(0.1, 5.0),
+    "of these the local map takes one per voxel of this side; at most 0.4 of mapping.cell_m, or cells stay "
+    "empty");
+  v("key_voxel_m", c.key_voxel_m, within(0.1, 10.0), "and of these one per voxel of this side is registered");
+  v("key_points", c.key_points, within(50, 8000), "but no more than this, chosen at random");
+}
+
 /// How the range differences around a return are made comparable.
 enum class Smoothness {
   kRangeSquared,  ///< c = (sum of r_k - r_i)^2, in m^2: LeGO-LOAM's, the same threshold at every range
@@ -36,10 +59,11 @@ enum class Smoothness {
 /// [features]
 struct FeaturesConfig {
   ClusteringConfig clustering;
+  ThinningConfig thinning;
   double min_range_m = 1.0;
-  Smoothness smoothness = Smoothness::kRangeSquared;
-  double edge_threshold = 0.1;
-  double planar_threshold = 0.1;
+  Smoothness smoothness = Smoothness::kNormalised;
+  double edge_threshold = 0.05;
+  double planar_threshold = 0.005;
   int sectors = 6;
   int sharp_edges_per_sector = 2;
   int edges_per_sector = 20;
@@ -52,13 +76,14 @@ struct FeaturesConfig {
 template <typename Visitor>
 void describe(Visitor& v, FeaturesConfig& c) {
   v.section("clustering", c.clustering, "grouping of non-ground returns; small groups give no features");
+  v.section("thinning", c.thinning, "returns for the local map and saved maps, of all kinds");
   v("min_range_m", c.min_range_m, within(0.1, 20.0), "closer returns give no features (LeGO-LOAM: 1.0)");
   v("smoothness", c.smoothness,
     choices(std::pair{"range_squared", Smoothness::kRangeSquared},
             std::pair{"normalised", Smoothness::kNormalised}),
     "smoothness measure: LeGO-LOAM's squared range sum (m^2), or LOAM's, divided by the range");
   v("edge_threshold", c.edge_threshold, within(1e-6, 100.0),
-    "edges are rougher than this, in the measure's unit");
+    "edges are rougher than this, in the measure's unit (LeGO-LOAM: 0.1 m^2)");
   v("planar_threshold", c.planar_threshold, within(1e-6, 100.0), "planar points are smoother than this");
   v("sectors", c.sectors, within(1, 64), "each ring is searched in this many sectors (LeGO-LOAM: 6)");
   v("sharp_edges_per_sector", c.sharp_edges_per_sector, within(0, 20), "edges to register (LeGO-LOAM: 2)");
@@ -70,7 +95,7 @@ void describe(Visitor& v, FeaturesConfig& c) {
   v("parallel_beam_ratio", c.parallel_beam_ratio, within(0.001, 1.0),
     "a range change beyond this part of the range on both sides means a grazing beam (LeGO-LOAM: 0.02)");
   v("planar_spacing_m", c.planar_spacing_m, within(0.01, 5.0),
-    "planar points to register against keep this distance along a ring (LeGO-LOAM: 0.2)");
+    "planar points to register against are about so far apart along a ring (LeGO-LOAM: 0.2)");
 }
 
 }  // namespace pago

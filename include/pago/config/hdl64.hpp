@@ -32,7 +32,9 @@ struct Hdl64Config {
 
 template <typename Visitor>
 void describe(Visitor& v, Hdl64Config& c) {
-  v("calibration", c.calibration, "the unit's db.xml or ROS yaml file");
+  v("calibration", c.calibration,
+    "the unit's db.xml or ROS yaml file; `sensor`: the one that it sends itself (S2.1, S3); empty: a file "
+    "beside the capture, else the sensor's");
   v("vertical_offset", c.vertical_offset,
     choices(std::pair{"vertical", VerticalOffset::kVertical},
             std::pair{"perpendicular", VerticalOffset::kPerpendicular}),

@@ -10,16 +10,57 @@ namespace pago {
 /// their own instant, the middle.
 enum class PoseInstant { kStart, kMid, kEnd };
 
+/// What a feature is matched with in the last sweep.
+enum class TargetKind {
+  kCells,  ///< the plane or line through the features of a cubic cell
+  kRings   ///< the plane or line through the nearest features, by ring: LOAM's
+};
+
+/// How residuals lose weight with their size.
+enum class Kernel {
+  kGemanMcClure,  ///< as wide as three times the residuals' robust deviation
+  kLoam           ///< linearly, after the first round: LOAM's code
+};
+
+/// [odometry.cells] Targets as Gaussian cells.
+struct CellTargetsConfig {
+  double cell_m = 1.0;
+  int max_points = 1000;
+  int min_points = 6;
+  int min_line_points = 8;
+  double max_flatness = 0.1;
+  double max_thickness_m = 0.2;
+  double min_width_m = 0.1;
+};
+
+template <typename Visitor>
+void describe(Visitor& v, CellTargetsConfig& c) {
+  v("cell_m", c.cell_m, within(0.1, 10.0), "side of a cell");
+  v("max_points", c.max_points, within(3, 10000), "later features of a cell are not counted");
+  v("min_points", c.min_points, within(3, 1000), "fewer make no plane");
+  v("min_line_points", c.min_line_points, within(2, 1000), "fewer edges make no line");
+  v("max_flatness", c.max_flatness, within(0.001, 1.0),
+    "of a plane: its least variance over the middle one; of a line: the middle one over the greatest");
+  v("max_thickness_m", c.max_thickness_m, within(0.01, 2.0),
+    "deviation of the features off their plane or line");
+  v("min_width_m", c.min_width_m, within(0.0, 1.0),
+    "of a plane: deviation of its points along its narrower side; the noise of ranges alone gives a ring's "
+    "arc some");
+}
+
 /// [odometry] Scan-to-scan registration in two steps (LeGO-LOAM section III.D, PaGO-LOAM).
 struct OdometryConfig {
   PoseInstant pose_instant = PoseInstant::kEnd;
+  TargetKind targets = TargetKind::kCells;
+  CellTargetsConfig cells;
+  int ring_neighbours = 3;
   bool deskew = true;
   bool walls_in_step_two = true;
   int max_rounds = 8;
   int steps_per_round = 2;
   double update_gain = 1.0;
   double match_radius_m = 2.0;
-  double start_match_radius_m = 5.0;
+  Kernel kernel = Kernel::kGemanMcClure;
   double kernel_min_m = 0.05;
   double stop_translation_m = 0.001;
   double stop_rotation_rad = 0.0001;
@@ -27,8 +68,9 @@ struct OdometryConfig {
   int min_edge_matches = 20;
   double max_correction_m = 2.0;
   double max_correction_deg = 5.0;
-  double residual_sigma_m = 0.05;
-  double min_information_ratio = 0.001;
+  double point_sigma_m = 0.03;
+  double edge_sigma_m = 0.2;
+  double min_contribution = 1.0;
   int lost_after = 5;
 };
 
@@ -38,6 +80,12 @@ void describe(Visitor& v, OdometryConfig& c) {
     choices(std::pair{"start", PoseInstant::kStart}, std::pair{"mid", PoseInstant::kMid},
             std::pair{"end", PoseInstant::kEnd}),
     "instant of the sweep that its pose holds for");
+  v("targets", c.targets,
+    choices(std::pair{"cells", TargetKind::kCells}, std::pair{"rings", TargetKind::kRings}),
+    "what features are matched with: Gaussian cells of the last sweep, or its features ring by ring (LOAM)");
+  v.section("cells", c.cells, "targets as Gaussian cells");
+  v("ring_neighbours", c.ring_neighbours, within(1, 3),
+    "targets by ring: a plane is made of so many features of each of up to three rings");
   v("deskew", c.deskew,
     "move every return to one instant of the sweep by the motion found (the paper's code: no)");
   v("walls_in_step_two", c.walls_in_step_two,
@@ -49,7 +97,9 @@ void describe(Visitor& v, OdometryConfig& c) {
     "part of each Gauss-Newton step that is taken (the paper's code: 0.05)");
   v("match_radius_m", c.match_radius_m, within(0.1, 20.0),
     "features farther apart are not matched (LeGO-LOAM: 5)");
-  v("start_match_radius_m", c.start_match_radius_m, within(0.1, 20.0), "the same while no motion is known");
+  v("kernel", c.kernel,
+    choices(std::pair{"geman_mcclure", Kernel::kGemanMcClure}, std::pair{"loam", Kernel::kLoam}),
+    "how residuals lose weight with their size");
   v("kernel_min_m", c.kernel_min_m, within(0.001, 1.0),
     "least width of the Geman-McClure kernel, otherwise three times the residuals' robust deviation");
   v("stop_translation_m", c.stop_translation_m, within(0.0, 1.0), "a round that moves less ends the search");
@@ -60,10 +110,13 @@ void describe(Visitor& v, OdometryConfig& c) {
   v("max_correction_m", c.max_correction_m, within(0.01, 100.0),
     "a result farther from the prediction is implausible (once moving)");
   v("max_correction_deg", c.max_correction_deg, within(0.1, 180.0), "the same for rotation");
-  v("residual_sigma_m", c.residual_sigma_m, within(0.001, 1.0),
-    "least deviation of one residual, for the covariance");
-  v("min_information_ratio", c.min_information_ratio, within(0.0, 1.0),
-    "a direction with less than this part of the strongest direction's information counts as not observable");
+  v("point_sigma_m", c.point_sigma_m, within(0.001, 1.0),
+    "deviation of a point from its plane by the sensor alone; thicker planes weigh less");
+  v("edge_sigma_m", c.edge_sigma_m, within(0.001, 10.0),
+    "the same for an edge and its line: where an edge is seen depends on where firings fall, in each sweep "
+    "anew");
+  v("min_contribution", c.min_contribution, within(0.0, 1000.0),
+    "a direction of motion for which fewer matches speak, by squared cosine, counts as not observable");
   v("lost_after", c.lost_after, within(1, 1000), "predicted sweeps in a row until the state is LOST");
 }
 

@@ -31,6 +31,7 @@ std::string_view to_string(SweepDrop drop) noexcept;
 /// Every datagram that reached the decoder has exactly one fate.
 struct PacketCounters {
   std::uint64_t received = 0, decoded = 0, duplicate = 0, late = 0;
+  std::uint64_t filtered = 0;  ///< from another sender than the sensor's
   std::array<std::uint64_t, static_cast<std::size_t>(PacketFault::kCount)>
       bad{};                    ///< by PacketFault; [kNone] stays 0
   std::uint64_t reordered = 0;  ///< of the decoded ones: came out of order and were put right
@@ -41,13 +42,16 @@ struct PacketCounters {
     for (const auto n : bad) sum += n;
     return sum;
   }
-  bool balanced() const noexcept { return received == decoded + duplicate + late + bad_total() + pending; }
+  bool balanced() const noexcept {
+    return received == decoded + duplicate + late + filtered + bad_total() + pending;
+  }
 };
 
-/// Firings by the device's own clock: expected between the first and the last stamp = decoded + lost.
+/// Firings by the device's own clock: expected between the first and the last stamp = decoded + lost + blind.
 struct FiringCounters {
   std::uint64_t expected = 0, decoded = 0, lost = 0;
-  bool balanced() const noexcept { return expected == decoded + lost; }
+  std::uint64_t blind = 0;  ///< never sent: outside the field of view that the sensor is limited to
+  bool balanced() const noexcept { return expected == decoded + lost + blind; }
 };
 
 /// Every sweep that was opened has exactly one fate.

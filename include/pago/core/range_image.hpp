@@ -9,8 +9,8 @@
 namespace pago {
 
 inline constexpr int kNumRings = 64;
-/// A revolution at 5 Hz has 4,167 firings (48 us each); a little slower is still whole.
-inline constexpr int kMaxColumns = 4352;
+/// A revolution at 5 Hz has 4,167 firings (48 us each), an S1's 4,680; a little slower is still whole.
+inline constexpr int kMaxColumns = 4736;
 /// Room on either side of a row for lasers that look ahead of or behind the encoder: |rotCorrection| up to 15
 /// degrees at 5 Hz is 174 columns.
 inline constexpr int kColumnMargin = 192;

@@ -58,6 +58,11 @@ class PacketSource {
   /// What went wrong in the middle of the source, e.g. "capture ends inside a record at byte 125,424"; empty
   /// if nothing.
   virtual std::string complaint() const = 0;
+
+  /// Whether label() does anything: a simulator knows what its packets are of. [any thread]
+  virtual bool has_labels() const noexcept { return false; }
+  /// Labels a complete sweep that was made of this source's packets, and sets kLabelled. [ingest thread]
+  virtual void label(Sweep&) const noexcept {}
 };
 
 /// Where whole sweeps come from (KITTI folders). Same life as PacketSource.

@@ -32,6 +32,29 @@ concept Stage = requires(S& stage, Sweep& sweep, const SweepPart& part) {
   noexcept->std::same_as<void>;
 };
 
+/// A whole sweep at once.
+template <Stage S>
+void process(S& stage, Sweep& sweep) noexcept {
+  stage.begin(sweep);
+  stage.accept({&sweep, sweep.size, sweep.header.num_columns, true});
+  stage.finish(sweep);
+}
+
+/// What a stage does once its result is out, as a stage of its own: its `update`, for each sweep that it has
+/// finished. So the next stage, and whoever waits for the result, need not wait for it. Holds a reference.
+template <typename S>
+class Update {
+ public:
+  explicit Update(S& stage) : stage_(stage) {}
+
+  void begin(Sweep&) noexcept {}
+  void accept(const SweepPart&) noexcept {}
+  void finish(Sweep& sweep) noexcept { stage_.update(sweep); }
+
+ private:
+  S& stage_;
+};
+
 /// Stages that share a thread, in order; itself a stage. Holds references: the stages must outlive it.
 template <Stage... Stages>
 class Chain {
@@ -46,6 +69,10 @@ class Chain {
   }
   void finish(Sweep& sweep) noexcept {
     std::apply([&](auto&... stage) { (stage.finish(sweep), ...); }, stages_);
+  }
+  /// A whole sweep at once: each stage begins it when the one before has finished.
+  void process(Sweep& sweep) noexcept {
+    std::apply([&](auto&... stage) { (pago::process(stage, sweep), ...); }, stages_);
   }
 
  private:

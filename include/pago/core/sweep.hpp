@@ -12,7 +12,7 @@
 namespace pago {
 
 /// Where a sweep's time goes. One entry per row of the latency table.
-enum class StageId : std::uint8_t { kIngest, kGround, kFeatures, kOdometry, kMapping, kCount };
+enum class StageId : std::uint8_t { kIngest, kGround, kFeatures, kOdometry, kMapping, kUpdate, kCount };
 inline constexpr std::size_t kNumStages = static_cast<std::size_t>(StageId::kCount);
 
 /// One stage's time on one sweep. Monotonic clock; zero where the stage did not run.
@@ -31,13 +31,19 @@ enum SweepFlag : std::uint32_t {
   kCompensated =
       1U << 5,            ///< returns are already in the frame of one instant (KITTI odometry): never de-skew
   kSuperseded = 1U << 6,  ///< skipped for a newer one under overload: no pose
+  kAfterReset = 1U << 8,  ///< odometry began anew ahead of it, because somebody asked
   kLabelled = 1U << 7,    ///< `label` holds the truth: simulated or hand-labelled
 };
 
 struct SweepHeader {
   std::uint64_t sequence = 0;  ///< counts rotations from 0, skipped and partial ones included
-  std::int64_t start_ns = 0;   ///< sensor time of the first firing, ns since the Unix epoch
-  std::int64_t end_ns = 0;     ///< sensor time of the end of the last firing
+  std::uint64_t request =
+      0;  ///< which of the assembler's requests for an empty sweep it was given for, from 1
+  std::int64_t start_ns = 0;  ///< sensor time of the first firing, ns since the Unix epoch
+  std::int64_t end_ns = 0;    ///< sensor time of the end of the last firing
+  /// What to add to sensor time for the time of day (hdl64/clock_offset.hpp). Differences of sensor times are
+  /// exact; this one follows the host's clock, and steps when that is set. 0 where GPS keeps the sensor's.
+  std::int64_t clock_offset_ns = 0;
   std::int64_t first_arrival_ns = 0, last_arrival_ns = 0;  ///< host arrival of its first and last packet
   std::int64_t closed_ns = 0;  ///< monotonic clock when the assembler handed it on
   /// Monotonic clock when its last packet arrived, as well as the host's clock tells (last_arrival_ns); in a
@@ -45,12 +51,21 @@ struct SweepHeader {
   std::int64_t complete_ns = 0;
   std::uint32_t num_columns = 0;  ///< firings in the rotation = used columns of the range image
   std::uint32_t firings_received = 0, firings_lost = 0;
-  std::uint32_t packets_bad = 0;  ///< malformed datagrams that arrived while it was filled
-  float rotation_rev = 0.0F;      ///< how far the head turned, in revolutions: 1 for a whole sweep
-  std::uint32_t flags = 0;        ///< SweepFlag bits
+  std::uint32_t firings_blind = 0;  ///< never sent: the sensor's field of view is limited
+  std::uint32_t packets_bad = 0;    ///< malformed datagrams that arrived while it was filled
+  float rotation_rev = 0.0F;        ///< how far the head turned, in revolutions: 1 for a whole sweep
+  std::uint32_t flags = 0;          ///< SweepFlag bits
 
   bool has(SweepFlag flag) const noexcept { return (flags & flag) != 0; }
   bool is_posed() const noexcept { return (flags & (kPartialStart | kPartialEnd | kSuperseded)) == 0; }
+};
+
+/// What a return is among those that one laser had of one firing; bits of Sweep::echo. 0 is the strongest and
+/// the last in one: a laser's only return, and all of a sensor in single-return mode.
+enum Echo : std::uint8_t {
+  kNotLast = 1U << 0,  ///< a farther return was weaker
+  kNotStrongest =
+      1U << 1  ///< dual return only: a stronger return came with it, and has their range image's cell
 };
 
 /// Ground mask values.
@@ -66,6 +81,43 @@ struct FeatureLists {
   FixedVector<std::uint32_t> edges;         ///< sharp ones and more: the next sweep's targets
   FixedVector<std::uint32_t> flat_planars;  ///< the flattest few per sector: sources of step one
   FixedVector<std::uint32_t> planars;       ///< thinned rest: the next sweep's targets
+  // Of all returns, whatever they are (features/thinning.hpp); each list is a part of the one before.
+  FixedVector<std::uint32_t> dense;       ///< evenly spaced along rings: what a saved map shows
+  FixedVector<std::uint32_t> map_points;  ///< one per voxel: what the local map is made of
+  FixedVector<std::uint32_t> key_points;  ///< few: what is registered to the local map
+};
+/// More than a sweep of an HDL-64E gives at the default voxels, with room to spare; beyond, points are left
+/// out.
+inline constexpr std::uint32_t kMaxDensePoints = 100'000, kMaxMapPoints = 32'768, kMaxKeyPoints = 8'000;
+
+/// What odometry tells mapping: the motion since the last sweep with a pose, between the two sweeps'
+/// reference instants. Poses are chained between these; they are reported at the configured instant.
+struct ScanMotion {
+  std::int64_t reference_ns = 0;  ///< the sweep's middle
+  std::int64_t reported_ns = 0;
+  double period_s = 0.0;        ///< since the last sweep's reference instant; 0 for the first sweep
+  bool is_compensated = false;  ///< returns are in the frame of the reference instant already
+  bool is_registered = false;   ///< found by matching; else carried on at constant velocity
+  bool is_time_lost = false;    ///< the sensor's clock began anew, or leapt: `period_s` is a guess
+  Eigen::Isometry3d T_last_this = Eigen::Isometry3d::Identity();
+  /// Of T_last_this; right perturbation in the sensor frame, order x y z roll pitch yaw.
+  Matrix6d information = Matrix6d::Zero();
+};
+
+/// What mapping leaves for odometry's next sweep: the last one, once the map had its say. Both live in the
+/// estimate thread.
+struct RefinedState {
+  bool is_placed = false;                                              ///< the pose below is one
+  bool has_motion = false;                                             ///< it is known how the sensor moves
+  Eigen::Isometry3d T_odom_reference = Eigen::Isometry3d::Identity();  ///< at the reference instant
+  Vector6d twist = Vector6d::Zero();         ///< per second, sensor frame, mean over the last period
+  Vector6d acceleration = Vector6d::Zero();  ///< of that twist, smoothed
+  double period_s = 0.0;                     ///< the last one
+
+  /// The twist at an instant so long after the reference instant.
+  Vector6d twist_at(double after_s) const noexcept {
+    return twist + (0.5 * period_s + after_s) * acceleration;
+  }
 };
 
 /// One rotation of the sensor, the frame that travels through the pipeline. Preallocated, structure of
@@ -81,6 +133,7 @@ struct Sweep {
         z_m(max_returns),
         intensity(max_returns),
         ring(max_returns),
+        echo(max_returns),
         column(max_returns),
         time_offset_ns(max_returns),
         label(max_returns),
@@ -92,15 +145,20 @@ struct Sweep {
     features.edges = FixedVector<std::uint32_t>(kNumRings * 6 * 40);
     features.flat_planars = FixedVector<std::uint32_t>(kNumRings * 6 * 20);
     features.planars = FixedVector<std::uint32_t>(max_returns);
+    features.dense = FixedVector<std::uint32_t>(std::min(max_returns, kMaxDensePoints));
+    features.map_points = FixedVector<std::uint32_t>(std::min(max_returns, kMaxMapPoints));
+    features.key_points = FixedVector<std::uint32_t>(std::min(max_returns, kMaxKeyPoints));
   }
 
   SweepHeader header;
 
-  // --- assembler: returns in arrival order, [0, size)
+  // --- assembler: returns in arrival order, [0, size). Dual return: a firing's strongest first, then what
+  // its lasers saw besides. The range image holds the strongest only, so what works on it sees nothing twice.
   std::uint32_t size = 0;
   AlignedArray<float> x_m, y_m, z_m;
   AlignedArray<std::uint8_t> intensity;
   AlignedArray<std::uint8_t> ring;  ///< 0 lowest, by this unit's vertical angles
+  AlignedArray<std::uint8_t> echo;  ///< Echo bits
   AlignedArray<std::uint16_t> column;
   AlignedArray<std::int32_t> time_offset_ns;  ///< firing time after header.start_ns
   RangeImage range_image;
@@ -112,6 +170,9 @@ struct Sweep {
   // --- features
   AlignedArray<std::uint16_t> cluster;
   FeatureLists features;
+
+  // --- odometry
+  ScanMotion motion;
 
   // --- odometry, mapping
   Estimate estimate;
@@ -132,6 +193,10 @@ struct Sweep {
     features.edges.clear();
     features.flat_planars.clear();
     features.planars.clear();
+    features.dense.clear();
+    features.map_points.clear();
+    features.key_points.clear();
+    motion = {};
     estimate = {};
     times = {};
   }

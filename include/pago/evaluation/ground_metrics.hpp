@@ -8,6 +8,8 @@
 #include <string_view>
 #include <vector>
 
+#include "pago/core/sweep.hpp"
+
 namespace pago::evaluation {
 
 /// What counts as ground in SemanticKITTI labels. The same mask differs by some three points of F1 between
@@ -37,6 +39,11 @@ GroundCounts count_ground(GroundProtocol protocol,
                           std::span<const std::uint32_t> labels,
                           std::span<const float> z_m,
                           std::span<const std::uint8_t> mask,
+                          float vegetation_cut_m = kVegetationCutMetres);
+
+/// The same of a sweep that has its labels (kLabelled) and its mask.
+GroundCounts count_ground(GroundProtocol protocol,
+                          const Sweep& sweep,
                           float vegetation_cut_m = kVegetationCutMetres);
 
 /// All in [0, 1]. A ratio of nothing to nothing is 1: nothing was there and nothing was claimed.

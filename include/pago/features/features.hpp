@@ -5,6 +5,7 @@
 #include "pago/config/features.hpp"
 #include "pago/core/stage.hpp"
 #include "pago/features/clustering.hpp"
+#include "pago/features/thinning.hpp"
 
 namespace pago::features {
 
@@ -35,8 +36,8 @@ class FeaturesStage {
  public:
   FeaturesStage(const FeaturesConfig& config, std::uint32_t max_returns);
 
-  void begin(Sweep&) noexcept {}
-  void accept(const SweepPart&) noexcept {}
+  void begin(Sweep& sweep) noexcept { thinner_.begin(sweep); }
+  void accept(const SweepPart& part) noexcept { thinner_.accept(*part.sweep, part.returns_until); }
   void finish(Sweep& sweep) noexcept;
 
  private:
@@ -48,6 +49,7 @@ class FeaturesStage {
 
   FeaturesConfig config_;
   Clusterer clusterer_;
+  SweepThinner thinner_;
   RingSequence ring_;
   FixedVector<std::uint32_t> candidates_;
   AlignedArray<std::uint8_t> is_edge_;

@@ -26,6 +26,13 @@ struct LaserCalibration {
   bool enabled = true;  ///< false: its returns are not used
 };
 
+/// What the sensor does to its distances and intensities (status byte F8 of the S3; hdl64 notes, section 5).
+enum class PowerLevel : std::uint8_t {
+  kPlain,     ///< a set laser power, or not known
+  kRaw,       ///< A0: the three least bits of a distance are the laser's power, not distance
+  kCorrected  ///< A8: intensities are corrected for range by the sensor itself
+};
+
 /// One unit's calibration.
 struct Calibration {
   std::array<LaserCalibration, 64> lasers{};
@@ -33,7 +40,8 @@ struct Calibration {
   double distance_lsb_m = 0.002;
   bool two_point = false;  ///< near-point figures differ from the far one's
   VerticalOffset vertical_offset = VerticalOffset::kVertical;
-  std::string origin;  ///< the file it came from
+  PowerLevel power_level = PowerLevel::kPlain;  ///< until the stream says something else
+  std::string origin;                           ///< the file it came from, or that it is the sensor's own
 };
 
 /// [set-up] Reads a Velodyne db.xml or a ROS calibration yaml; which one is told by content. What a file may

@@ -6,24 +6,31 @@
 #include <cstdint>
 #include <span>
 
-#include "pago/hdl64/packet.hpp"
+#include "pago/hdl64/stream_format.hpp"
 
 namespace pago::hdl64 {
 
 /// Header azimuths are the encoder's count, rounded down to its step of 0.09 degrees (4,000 per revolution).
 inline constexpr double kEncoderStep_rev = 1.0 / 4000.0;
 
-/// The six header azimuths of one packet and the sensor time of its first firing.
+/// The header azimuths of one packet that say where the head was, and the sensor time of its first firing.
 struct PacketAzimuths {
   std::int64_t time_ns = 0;
-  std::array<std::uint16_t, kFirings> azimuth_cdeg{};
+  std::array<std::uint16_t, kBlocks> azimuth_cdeg{};
 
-  static PacketAzimuths of(const PacketView& packet, std::int64_t time_ns) noexcept {
-    PacketAzimuths result{.time_ns = time_ns};
-    for (int firing = 0; firing < kFirings; ++firing)
-      result.azimuth_cdeg[static_cast<std::size_t>(firing)] = packet.azimuth_cdeg(firing);
-    return result;
-  }
+  /// One per firing; of an S1, whose blocks each have their own, all twelve.
+  static PacketAzimuths of(const PacketView& packet,
+                           std::int64_t time_ns,
+                           const StreamFormat& format = {}) noexcept;
+};
+
+/// When a packet's header azimuths were taken, after its first firing.
+struct AzimuthTimes {
+  int size = 0;
+  std::array<double, kBlocks> after_s{};
+
+  /// `block_times_ns` as of the format, or measured.
+  static AzimuthTimes of(const StreamFormat& format, const BlockTimes& block_times_ns) noexcept;
 };
 
 /// Offsets of azimuths from a line, as sums over observations at times t (seconds after the line's origin).
@@ -68,7 +75,9 @@ class FadingLine {
   void shift(double revolutions) noexcept { revolutions_ += revolutions; }
 
  private:
-  double memory_s_, packet_fade_;
+  double memory_s_;
+  std::int64_t last_step_ns_ = 0;  // most steps are alike
+  double last_fade_ = 1.0;
   std::int64_t origin_ns_ = 0;
   double revolutions_ = 0.0, rate_rev_s_ = 0.0;
   double w_ = 0.0, wt_ = 0.0, wtt_ = 0.0;
@@ -89,6 +98,11 @@ class RotationTracker {
  public:
   /// Slower or faster than this is not a rotation (the sensor turns at 5 to 20 Hz and may overshoot).
   static constexpr double kSlowest_rev_s = 1.0, kFastest_rev_s = 30.0;
+
+  RotationTracker() noexcept;
+
+  /// When the azimuths of packets are taken from now on; six of them 48 us apart unless said otherwise.
+  void set_times(const AzimuthTimes& times) noexcept { times_ = times; }
 
   /// Fits the line through a block of packets (any order, at least one) without need of a first guess, and
   /// without being led astray by a minority of wrong ones. Until newer packets are added the line holds for
@@ -117,6 +131,7 @@ class RotationTracker {
  private:
   static constexpr double kMemory_s = 0.025, kShortMemory_s = 0.003;
 
+  AzimuthTimes times_;
   FadingLine slow_{kMemory_s}, fast_{kShortMemory_s};
   std::int64_t newest_ns_ = 0;
   std::uint64_t rejected_ = 0;

@@ -5,36 +5,10 @@
 #include <array>
 #include <cstdint>
 #include <span>
-#include <string>
-#include <string_view>
+
+#include "pago/hdl64/stream_format.hpp"
 
 namespace pago::hdl64 {
-
-/// What a stream of 1,206-byte datagrams comes from.
-enum class SensorKind : std::uint8_t {
-  kUnknown,       ///< none of these, or not decided yet
-  kHdl64Single,   ///< HDL-64E S2, S2.1 or S3, single return: what PaGO reads
-  kHdl64Dual,     ///< HDL-64E S3, dual return
-  kHdl64S1,       ///< HDL-64E S1: three upper blocks for each lower one
-  kHdl64EarlyS2,  ///< HDL-64E S2 of 2008: text where later ones have their time stamp
-  kHdl32,
-  kVlp16,  ///< and its Hi-Res sibling
-  kVlp32c,
-  kVls128,
-  kOneBank,  ///< HDL-32E, VLP-16 or VLP-32C, and nothing tells which
-  kCount
-};
-
-/// "HDL-32E"
-std::string_view name(SensorKind kind) noexcept;
-
-inline bool is_supported(SensorKind kind) noexcept {
-  return kind == SensorKind::kHdl64Single;
-}
-
-/// Why PaGO does not read this stream, one sentence for the user; empty for what it reads. [any thread]
-/// allocates.
-std::string refusal(SensorKind kind);
 
 /// Recognises the sensor behind a stream. No packet says what sent it, and some say something wrong: an
 /// HDL-64E's last two bytes change from packet to packet, a VLP-16 prototype's claim an HDL-32E. So it looks
@@ -46,7 +20,7 @@ std::string refusal(SensorKind kind);
 /// [ingest thread] real-time safe.
 class StreamProbe {
  public:
-  static constexpr std::size_t kPackets = 16;
+  static constexpr std::size_t kPackets = 16, kMaxPackets = 64;
 
   /// Looks at one more datagram; after the decision at none.
   void add(std::span<const std::uint8_t> payload, std::int64_t arrival_ns) noexcept;
@@ -61,7 +35,6 @@ class StreamProbe {
  private:
   /// What the flags of a packet's twelve blocks look like.
   enum Flags : std::uint8_t { kAlternating, kMoreUpper, kUpperOnly, kFourBanks, kOther, kNumFlags };
-  static constexpr std::size_t kMaxPackets = 64;
   static constexpr std::uint32_t kMaxForeign = 256;
 
   static Flags classify(std::span<const std::uint8_t> packet) noexcept;

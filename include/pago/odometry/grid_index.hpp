@@ -6,9 +6,11 @@
 #include <cmath>
 #include <cstdint>
 
-#include "pago/odometry/feature_cloud.hpp"
+#include "pago/registration/point_cloud.hpp"
 
 namespace pago::odometry {
+
+using registration::PointCloud;
 
 /// Nearest-neighbour index over one sweep's features: a plan grid of 1 m cells, 256 m square about the
 /// sensor, filled by a counting sort. Rebuilding takes one pass and no allocation, which a kd-tree does not
@@ -20,10 +22,10 @@ class GridIndex {
   explicit GridIndex(std::size_t capacity) : points_(capacity), cell_of_(capacity), begin_(kCells + 1) {}
 
   /// Replaces the contents by a copy of the cloud, sorted by cell.
-  void build(const FeatureCloud& cloud) noexcept;
+  void build(const PointCloud& cloud) noexcept;
 
   std::size_t size() const noexcept { return points_.size; }
-  const FeatureCloud& points() const noexcept { return points_; }
+  const PointCloud& points() const noexcept { return points_; }
 
   /// Position in points() of the feature nearest to `query` within `radius_m`, or -1.
   std::int32_t nearest(const Eigen::Vector3f& query, float radius_m) const noexcept;
@@ -57,7 +59,7 @@ class GridIndex {
   }
   static std::size_t cell(int cx, int cy) noexcept { return static_cast<std::size_t>(cy * kSide + cx); }
 
-  FeatureCloud points_;
+  PointCloud points_;
   AlignedArray<std::uint32_t> cell_of_;
   AlignedArray<std::uint32_t> begin_;  // of each cell in points_; one past the end for the last
 };

@@ -7,6 +7,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 /// How a running pago is talked to: over a Unix socket, a request is one line (a word, see Request), and so
 /// is its answer, a JSON object. Only the user who runs pago may connect.
@@ -20,7 +21,9 @@ enum class Request : std::uint8_t {
 };
 std::optional<Request> parse_request(std::string_view line) noexcept;
 
-/// Where the socket lies unless told otherwise: in $XDG_RUNTIME_DIR, else in /run for root, else in /tmp.
+/// Where a socket may lie unless told otherwise: in $XDG_RUNTIME_DIR, in /run for root, in /tmp. A run takes
+/// the first; whoever asks looks in all of them, since a service has another environment than a terminal.
+std::vector<std::string> usual_control_paths();
 std::string default_control_path();
 
 /// The server's side, without a thread of its own: whoever owns it asks it now and then. Clients that are
@@ -45,5 +48,7 @@ class ControlServer {
 /// The client's side: sends a line and waits for the answer, 10 s at most. Throws Error if nobody listens or
 /// answers.
 std::string ask(const std::string& path, const std::string& line);
+/// The same in whichever of the usual places somebody listens.
+std::string ask_usual(const std::string& line);
 
 }  // namespace pago::output

@@ -6,6 +6,8 @@
 #include <filesystem>
 #include <span>
 
+#include "pago/output/picture.hpp"
+
 namespace pago::output {
 
 /// A point of a saved map; metres in the map's frame.
@@ -18,5 +20,14 @@ struct PlyPoint {
 /// Writes a binary little-endian PLY with the vertex properties x y z (float) intensity ground (uchar): 14
 /// bytes per point. Error when the file cannot be made or written. [set-up]
 void write_ply(const std::filesystem::path& file, std::span<const PlyPoint> points);
+
+/// A point of a scan that shows something by its colour; metres in the scan's own frame.
+struct ColouredPoint {
+  float x_m = 0.0F, y_m = 0.0F, z_m = 0.0F;
+  Colour colour{};
+};
+
+/// The same with the vertex properties x y z (float) red green blue (uchar): 15 bytes per point.
+void write_ply(const std::filesystem::path& file, std::span<const ColouredPoint> points);
 
 }  // namespace pago::output

@@ -45,6 +45,7 @@ class PoseLines {
 
  private:
   std::optional<TextFile> file_;  // none: standard output
+  std::uint64_t unwritten_ = 0;   // lines that standard output did not take
 };
 
 }  // namespace pago::output

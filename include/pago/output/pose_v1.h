@@ -1,8 +1,8 @@
 /* SPDX-FileCopyrightText: 2026 The PaGO authors
  * SPDX-License-Identifier: BSD-3-Clause
  *
- * Poses for other processes, in plain C: how they lie in shared memory, and what a datagram of them holds. The
- * layout of version 1 never changes; later versions get a name of their own. Little-endian, no padding.
+ * Poses for other processes, in plain C: how they lie in shared memory, and what a datagram of them holds.
+ * The layout of version 1 never changes; later versions get a name of their own. Little-endian, no padding.
  */
 #ifndef PAGO_OUTPUT_POSE_V1_H_
 #define PAGO_OUTPUT_POSE_V1_H_
@@ -16,7 +16,7 @@ extern "C" {
 
 enum { PAGO_POSE_V1 = 0x31504750 /* "PGP1" */ };
 
-/* Which of a sweep's two poses: the early one, or the one that scan-to-map refined some milliseconds later. */
+/* Which of a sweep's two poses: the early one, or the one that scan-to-map refined milliseconds later. */
 enum { PAGO_POSE_FIRST = 1, PAGO_POSE_REFINED = 2 };
 
 /* Trust in the pose. Do not drive on a LOST one. */
@@ -29,7 +29,7 @@ struct pago_pose_v1 {
   uint8_t reason; /* of a health other than OK; words: pago::HealthReason */
   uint8_t reserved;
   uint64_t sequence;       /* of the sweep: counts rotations of the head, also those without a pose */
-  int64_t stamp_ns;        /* the instant that the pose holds for: sensor time, ns since the Unix epoch */
+  int64_t stamp_ns;        /* the instant that the pose holds for: time of day, ns since the Unix epoch */
   int64_t last_arrival_ns; /* when the sweep's last packet reached this host: CLOCK_REALTIME */
   int64_t published_ns;    /* when this was written: CLOCK_REALTIME */
   char frame_id[16];       /* the frame that the pose is given in: "odom" (REP-105) */

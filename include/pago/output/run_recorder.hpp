@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "pago/config/output.hpp"
+#include "pago/output/decisions.hpp"
 #include "pago/output/latency.hpp"
 #include "pago/output/pose_csv.hpp"
 #include "pago/output/run_report.hpp"
@@ -20,6 +21,7 @@ namespace pago::output {
 ///   odometry.tum, .kitti     first poses, one per sweep that has a pose
 ///   trajectory.tum, .kitti   refined poses, the same sweeps
 ///   poses.csv                health and covariance, the same sweeps
+///   front_end.tum, .kitti    products of scan-to-scan increments alone, the same sweeps: for studies
 ///   latency.csv              every sweep
 ///   trace.json, run.json     at the end
 /// [publisher thread] all of it; blocks on the disk. A full disk never ends a run: see complaints().
@@ -56,10 +58,11 @@ class RunRecorder {
   std::filesystem::path folder_;
   Clock::duration flush_interval_;
   Clock::time_point next_flush_;
-  TrajectoryWriter first_, refined_;
+  TrajectoryWriter front_end_, first_, refined_;
   PoseCsv poses_;
   LatencyCsv latency_;
   Trace trace_;
+  DecisionLog decisions_;
   std::uint64_t newest_sequence_ = 0;
   RunTotals totals_;
   std::vector<std::string> end_complaints_;

@@ -11,6 +11,7 @@
 
 #include "pago/core/counters.hpp"
 #include "pago/core/sources.hpp"
+#include "pago/output/decisions.hpp"
 #include "pago/output/latency.hpp"
 #include "pago/output/trajectory_hash.hpp"
 
@@ -20,7 +21,8 @@ namespace pago::output {
 /// add() is real-time safe.
 struct RunTotals {
   std::uint64_t num_poses = 0;
-  double length_m = 0.0;  ///< of the refined poses' path
+  std::uint64_t partial = 0, superseded = 0;  ///< sweeps without a pose, by fate
+  double length_m = 0.0;  ///< of the refined poses' path; the way back to a reset's new origin is none
   std::int64_t first_stamp_ns = 0, last_stamp_ns = 0;
   std::array<std::uint64_t, 4> health{};  ///< poses by Health
   TrajectoryHash hash;                    ///< over each pose's `first` and `refined` numbers
@@ -31,6 +33,7 @@ struct RunTotals {
 
  private:
   Eigen::Vector3d last_position_m_ = Eigen::Vector3d::Zero();
+  bool begins_anew_ = false;
 };
 
 /// What the parts of the program know about a run when it ends. Empty counters: the source has no such thing
@@ -45,13 +48,15 @@ struct RunReport {
   std::optional<PacketCounters> packets;
   std::optional<FiringCounters> firings;
   SweepCounters sweeps;
-  std::uint64_t self_hits = 0;  ///< returns on the vehicle's own body, left out
-  double wall_s = 0.0;          ///< how long the run took
-  std::string complaint;        ///< empty, or why the run ended before its source did
+  std::optional<std::uint64_t> requests;  ///< of the assembler for an empty sweep, when the run is over
+  std::uint64_t self_hits = 0;            ///< returns on the vehicle's own body, left out
+  std::uint64_t unrecorded = 0;           ///< live: sweeps and poses that are missing in the files
+  double wall_s = 0.0;                    ///< how long the run took
+  std::string complaint;                  ///< empty, or why the run ended before its source did
 };
 
 /// run.json: everything above as one object; durations in ms.
-std::string run_json(const RunReport& report, const RunTotals& totals);
+std::string run_json(const RunReport& report, const RunTotals& totals, const DecisionLog& decisions = {});
 
 /// A few lines for the terminal: sweeps, drops, length, latency per stage, where the files are.
 std::string run_summary(const RunReport& report,

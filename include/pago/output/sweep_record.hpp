@@ -24,7 +24,7 @@ Eigen::Isometry3d to_isometry(const PoseRow& row) noexcept;
 struct SweepRecord {
   SweepHeader header;
 
-  std::int64_t stamp_ns = 0;
+  std::int64_t stamp_ns = 0;  ///< time of day: the estimate's sensor time and header.clock_offset_ns
   PoseRow T_odom_sensor_front_end = kIdentityRow;
   PoseRow T_odom_sensor_first = kIdentityRow;
   PoseRow T_odom_sensor_refined = kIdentityRow;
@@ -32,9 +32,14 @@ struct SweepRecord {
   Health health = Health::kInit;
   HealthReason reason = HealthReason::kFirstSweep;
   bool has_pose = false;
-  std::uint16_t iterations = 0;
+  std::uint16_t rounds = 0;
   std::uint32_t edge_matches = 0, planar_matches = 0;
   float edge_rms_m = 0.0F, planar_rms_m = 0.0F;
+  std::uint16_t iterations = 0;
+  bool is_cut_short = false;
+  std::uint8_t weak_directions = 0;
+  std::uint32_t map_points = 0, map_matches = 0;
+  float map_rms_m = 0.0F, map_score = 0.0F;
 
   std::array<StageTime, kNumStages> times{};
 

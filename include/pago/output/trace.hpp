@@ -14,7 +14,7 @@ namespace pago::output {
 
 /// The thread that each stage runs on, by StageId, for the trace's rows.
 using StageThreads = std::array<std::string_view, kNumStages>;
-inline constexpr StageThreads kDefaultThreads{"ingest", "front", "front", "estimate", "estimate"};
+inline constexpr StageThreads kDefaultThreads{"ingest", "front", "front", "estimate", "estimate", "estimate"};
 
 /// The stages of the last sweeps on a time axis, as a Chrome trace (open in Perfetto or chrome://tracing):
 /// one row per thread, one bar per stage and sweep, monotonic clock. [one thread] not real-time.

@@ -21,6 +21,8 @@ namespace pago {
 /// already rule them out are `filtered` even if shortened. A datagram in fragments counts when its fate is
 /// known. Fragments of other protocols than UDP count once per datagram, as filtered.
 ///
+/// A part of the capture may be chosen by its own stamps (CaptureConfig); what lies outside is not counted.
+///
 /// [set-up] the constructor allocates everything; [ingest thread] all the rest. receive() reads the file and
 /// allocates nothing itself (libpcap enlarges its buffer when a record is longer than any before it).
 class PcapSource final : public PacketSource {
@@ -31,13 +33,15 @@ class PcapSource final : public PacketSource {
 
   /// Throws Error if the file cannot be read, is no capture, has a link layer that carries no IP, or if the
   /// filter is not valid.
-  explicit PcapSource(const std::filesystem::path& file, const PacketFilterConfig& filter = {});
+  explicit PcapSource(const std::filesystem::path& file,
+                      const PacketFilterConfig& filter = {},
+                      const CaptureConfig& part = {});
   ~PcapSource() override;
 
   std::span<const Datagram> receive() noexcept override;
   bool all_done() const noexcept override;
   SourceCounters counters() const noexcept override;
-  /// In bytes of the file; total 0 when it is a pipe.
+  /// In bytes of the file, or seconds where a duration was chosen; total 0 when it is a pipe.
   Progress progress() const noexcept override;
   /// Where and why reading ended early and how much was used. [any but the hot path] allocates.
   std::string complaint() const override;

@@ -11,6 +11,7 @@
 
 #include "pago/config/config.hpp"
 #include "pago/core/estimate.hpp"
+#include "pago/ground/mount_report.hpp"
 
 namespace pago {
 
@@ -61,7 +62,8 @@ struct Scan {
 /// to be found (second scan, time gap).
 class Odometry {
  public:
-  /// Allocates all that will be needed. Throws Error: a setting that cannot be used.
+  /// Allocates all that will be needed. Throws Error: a setting that cannot be used, a ground method that
+  /// needs labels.
   explicit Odometry(const Config& config = {});
   ~Odometry();
   Odometry(Odometry&&) noexcept;
@@ -72,6 +74,9 @@ class Odometry {
   /// The ground mask of the last scan, kGround or kNonGround for each of its points; empty if it was refused.
   /// Valid until the next process().
   std::span<const std::uint8_t> ground() const noexcept;
+
+  /// Whether the ground was where the mount says in the first scans; ground::to_text() puts it in words.
+  const ground::MountReport& mount_report() const noexcept;
 
   /// Why the last scan was refused; empty if it was not.
   std::string_view refusal() const noexcept;

@@ -24,6 +24,8 @@ class PacedSource final : public PacketSource {
   SourceCounters counters() const noexcept override;
   Progress progress() const noexcept override { return recorded_.progress(); }
   std::string complaint() const override { return recorded_.complaint(); }
+  bool has_labels() const noexcept override { return recorded_.has_labels(); }
+  void label(Sweep& sweep) const noexcept override { recorded_.label(sweep); }
 
   /// [after the end] How late the datagrams were handed out, at most.
   std::int64_t worst_lateness_ns() const noexcept { return worst_lateness_ns_; }

@@ -10,7 +10,9 @@
 #include "pago/config/config.hpp"
 #include "pago/core/counters.hpp"
 #include "pago/core/sources.hpp"
+#include "pago/ground/mount_report.hpp"
 #include "pago/hdl64/calibration.hpp"
+#include "pago/output/decisions.hpp"
 #include "pago/output/pose_board.hpp"
 #include "pago/output/sweep_record.hpp"
 #include "pago/pipeline/run_status.hpp"
@@ -37,6 +39,8 @@ class Observer {
   virtual void on_sweep(const output::SweepRecord& record) = 0;
   /// Live runs: a pose was published (first and refined, for each sweep that has one).
   virtual void on_pose(const output::PoseV1&) {}
+  /// Once, when the first sweeps have shown whether the ground is where the mount has it.
+  virtual void on_mount(const ground::MountReport&) {}
   /// After each of the above, and at least ten times a second while nothing comes.
   virtual void on_status(const IngestStatus&) {}
 };
@@ -49,10 +53,12 @@ struct RunSummary {
   SweepCounters sweeps;
   std::uint64_t incomplete_sweeps = 0;  ///< posed, but more than 10 % of the rotation was missing
   std::uint64_t clock_restarts = 0;     ///< of the sensor's clock: power cycles, GPS found
+  std::uint64_t requests = 0;           ///< of the assembler for an empty sweep
   std::uint64_t self_hits = 0;   ///< returns that were the vehicle's own body and left out; packet runs only
   std::uint64_t unrecorded = 0;  ///< live: sweeps and poses that the observer was too slow for
   std::string sensor;            ///< what the stream came from, e.g. "HDL-64E S2/S3, single return"
   std::vector<std::string> threads;  ///< what each thread asked for and got
+  ground::MountReport mount;         ///< whether the ground was where the mount says
   std::string complaint;             ///< the source's own words if it ended early; what came before was used
   std::string failure;               ///< why the run could not be completed; empty if it was
   bool interrupted = false;
@@ -67,7 +73,8 @@ struct RunSummary {
 /// Error; the threads that run() starts allocate nothing.
 class Pipeline {
  public:
-  explicit Pipeline(const Config& config, Pace pace = Pace::kReplay);
+  /// `as_recorded`: what a replay repeats of the live run whose packets it gets.
+  explicit Pipeline(const Config& config, Pace pace = Pace::kReplay, output::Decisions as_recorded = {});
   ~Pipeline();
 
   /// Works until the source is exhausted or `stop` becomes true. Whoever has packets but no source puts a

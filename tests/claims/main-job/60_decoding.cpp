@@ -9,7 +9,7 @@
 #include <optional>
 #include <vector>
 
-#include "pago/hdl64/firing_decoder.hpp"
+#include "pago/hdl64/packet_decoder.hpp"
 #include "pago/hdl64/rotation_tracker.hpp"
 #include "support/capture.hpp"
 #include "support/reference_decoder.hpp"
@@ -61,7 +61,7 @@ void follow(const std::vector<PacketAzimuths>& headers, Use use) {
 }
 
 struct Difference {
-  std::uint64_t returns = 0, wrong = 0;  // wrong: kept though it should not be, the reverse, or mislabelled
+  std::uint64_t returns = 0, wrong = 0;  // wrong: kept though it should not be, or the reverse
   double worst_m = 0.0;
 };
 
@@ -71,28 +71,21 @@ void compare(const Calibration& unit,
              const Rotation& rotation,
              const FiringReturns& decoded,
              Difference& difference) {
-  std::size_t n = 0;
-  const auto size = static_cast<std::size_t>(decoded.size);
   for (int laser = 0; laser < kLasers; ++laser) {
-    const double azimuth_rad =
-        rotation.azimuth_rad + rotation.rate_rad_s * FiringDecoder::laser_time_ns(laser) * 1e-9;
+    const double azimuth_rad = rotation.azimuth_rad + rotation.rate_rad_s * laser_time_ns(laser) * 1e-9;
     const test::ReferenceReturn expected =
         test::reference_return(unit, laser, packet.distance_raw(firing, laser),
                                packet.intensity(firing, laser), azimuth_rad, kMinRange_m, kMaxRange_m);
-    if (!expected.is_valid) continue;
-    if (n >= size || decoded.laser[n] != laser ||
-        decoded.ring[n] != unit.ring_of_laser[static_cast<std::size_t>(laser)]) {
-      ++difference.wrong;
-      continue;
-    }
+    const bool is_valid = (decoded.valid >> laser & 1U) != 0;
+    difference.wrong += is_valid != expected.is_valid ? 1U : 0U;
+    if (!is_valid || !expected.is_valid) continue;
+    const auto i = static_cast<std::size_t>(laser);
     const double error_m =
-        std::hypot(double{decoded.x_m[n]} - expected.x_m, double{decoded.y_m[n]} - expected.y_m,
-                   double{decoded.z_m[n]} - expected.z_m);
+        std::hypot(double{decoded.x_m[i]} - expected.x_m, double{decoded.y_m[i]} - expected.y_m,
+                   double{decoded.z_m[i]} - expected.z_m);
     difference.worst_m = std::max(difference.worst_m, error_m);
-    ++n;
+    ++difference.returns;
   }
-  difference.returns += n;
-  difference.wrong += size - n;
 }
 
 void measure_points(Report& report,
@@ -101,15 +94,16 @@ void measure_points(Report& report,
                     VerticalOffset offset) {
   const auto packets = test::read_capture(recording(capture));
   const Calibration unit = load_calibration(recording(calibration), offset);
-  const FiringDecoder decoder(unit, kMinRange_m, kMaxRange_m);
-  FiringReturns returns;
+  PacketDecoder decoder(unit, kMinRange_m, kMaxRange_m);
+  PacketReturns returns{};
   Difference difference;
   follow(headers_of(packets), [&](std::size_t i, int firing, std::int64_t time_ns, const auto& tracker) {
     const double turns = tracker.revolutions(time_ns);
     const Rotation rotation{2.0 * std::numbers::pi * (turns - std::floor(turns)),
                             2.0 * std::numbers::pi * tracker.rate_rev_s()};
-    decoder.decode(view_of(packets[i]), firing, rotation, returns);
-    compare(unit, view_of(packets[i]), firing, rotation, returns, difference);
+    if (firing == 0) decoder.decode(view_of(packets[i]), rotation, returns);
+    compare(unit, view_of(packets[i]), firing, rotation, returns.strongest[static_cast<std::size_t>(firing)],
+            difference);
   });
   if (difference.returns == 0) throw std::runtime_error(capture + " has no returns");
   const std::string name = "decoding " + capture.substr(capture.find('/') + 1) + ": ";

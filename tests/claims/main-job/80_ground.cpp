@@ -5,6 +5,7 @@
 // (evaluation/ground_metrics.hpp). The paper authors' own code reaches an F1 of 0.974 by protocol B.
 #include <vector>
 
+#include "pago/core/stage.hpp"
 #include "pago/evaluation/ground_metrics.hpp"
 #include "pago/ground/segmenter.hpp"
 #include "pago/kitti/kitti_source.hpp"
@@ -28,9 +29,7 @@ void measure(Report& report) {
   GroundConfig config;
   config.method = "patchwork";
   const auto segmenter = ground::make_segmenter(config, Mount{}, sweep.capacity());
-  segmenter->begin(sweep);
-  segmenter->accept({&sweep, sweep.size, sweep.header.num_columns, true});
-  segmenter->finish(sweep);
+  process(*segmenter, sweep);
 
   for (const auto protocol : {GroundProtocol::kPatchwork, GroundProtocol::kPatchworkPlusPlus}) {
     const auto score = ground_score(

@@ -1,0 +1,114 @@
+// SPDX-FileCopyrightText: 2026 The PaGO authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "pago/simulator/render.hpp"
+
+#include <memory>
+
+#include "kitti_folder.hpp"
+#include "pago/core/error.hpp"
+#include "pago/output/text_file.hpp"
+#include "pago/pcap/pcap_writer.hpp"
+#include "pago/simulator/packet_labels.hpp"
+#include "pago/simulator/simulator.hpp"
+#include "pago/simulator/unit.hpp"
+#include "pictures.hpp"
+#include "scan_collector.hpp"
+#include "timing.hpp"
+#include "truth_files.hpp"
+
+namespace pago::simulator {
+namespace {
+
+constexpr std::uint64_t kProgressEvery = 64;  // packets: 20 ms of the drive
+
+/// What writers note instead of throwing.
+void check(const std::string& complaint) {
+  if (!complaint.empty()) throw Error("simulator", complaint, "is there room on the disk?");
+}
+
+/// The drive's outputs that are written packet by packet.
+class Outputs {
+ public:
+  Outputs(const Simulator& drive, const Config& config, const DriveFiles& files)
+      : drive_(drive), picture_scan_(drive.num_sweeps() / 2), pictures_(files.pictures) {
+    if (!files.pcap.empty()) pcap_ = std::make_unique<PcapWriter>(files.pcap);
+    if (!files.labels.empty())
+      labels_ = std::make_unique<LabelWriter>(files.labels, kSingleReturn.period_ns, kSingleReturn.firings);
+    if (!files.kitti.empty()) kitti_ = std::make_unique<KittiFolder>(files.kitti);
+    if (files.kitti.empty() && files.pictures.empty()) return;
+    scans_ = std::make_unique<ScanCollector>(
+        drive, config.hdl64, files.kitti_compensated,
+        [this](std::uint64_t scan, const LabelledRings& rings) { use(scan, rings); });
+  }
+  Outputs(const Outputs&) = delete;
+  Outputs& operator=(const Outputs&) = delete;
+
+  void add(const SimulatedPacket& packet) {
+    if (pcap_) pcap_->write(packet.bytes, packet.arrival_ns);
+    if (labels_) labels_->write(packet);
+    if (scans_) scans_->add(packet);
+  }
+
+  void check_files() const {
+    if (pcap_) check(pcap_->complaint());
+    if (labels_) check(labels_->complaint());
+  }
+
+  void finish(std::uint64_t num_sweeps) {
+    if (pcap_) pcap_->flush();
+    if (labels_) labels_->flush();
+    check_files();
+    if (scans_) scans_->finish(num_sweeps);
+    if (kitti_) kitti_->finish(drive_, num_sweeps);
+  }
+
+ private:
+  void use(std::uint64_t scan, const LabelledRings& rings) const {
+    if (kitti_) kitti_->write_scan(scan, rings);
+    if (!pictures_.empty() && scan == picture_scan_) draw_scan(rings, pictures_);
+  }
+
+  const Simulator& drive_;
+  std::uint64_t picture_scan_;
+  std::filesystem::path pictures_;
+  std::unique_ptr<PcapWriter> pcap_;
+  std::unique_ptr<LabelWriter> labels_;
+  std::unique_ptr<KittiFolder> kitti_;
+  std::unique_ptr<ScanCollector> scans_;
+};
+
+}  // namespace
+
+std::uint64_t render(const Config& config,
+                     const DriveFiles& files,
+                     const std::function<void(const Progress&)>& on_progress,
+                     const std::atomic<bool>& stop) {
+  Simulator drive(config.simulator, config.hdl64, config.mount);
+  if (!files.calibration.empty()) output::write_file(files.calibration, calibration_xml(drive.calibration()));
+  Outputs outputs(drive, config, files);
+  SimulatedPacket packet;
+  std::uint64_t done = 0;
+  std::int64_t until_ns = drive.start_ns();
+  while (!stop.load(std::memory_order_relaxed) && drive.next(packet)) {
+    outputs.add(packet);
+    until_ns = packet.time_ns + kSingleReturn.packet_period_ns();
+    if (++done % kProgressEvery != 0) continue;
+    outputs.check_files();
+    on_progress({static_cast<double>(done), static_cast<double>(drive.num_packets())});
+  }
+  const std::uint64_t num_sweeps = drive.sweeps_until(until_ns);
+  outputs.finish(num_sweeps);
+  if (!files.truth.empty()) write_truth(drive, num_sweeps, until_ns, files.truth);
+  return num_sweeps;
+}
+
+DriveFiles files_in(const std::filesystem::path& folder) {
+  DriveFiles files;
+  files.pcap = folder / "packets.pcap";
+  files.labels = folder / "packets.labels";
+  files.calibration = folder / "calibration.xml";
+  files.truth = folder / "truth.tum";
+  return files;
+}
+
+}  // namespace pago::simulator

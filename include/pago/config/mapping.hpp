@@ -1,0 +1,122 @@
+// SPDX-FileCopyrightText: 2026 The PaGO authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "pago/config/describe.hpp"
+
+namespace pago {
+
+/// [mapping.cells] The local map: a hash of cubic cells, each with the mean and the spread of its points.
+/// Values from the measured trial in spec/odometry-prototype.md section 3.
+struct CellsConfig {
+  double cell_m = 1.0;
+  int max_points = 30;
+  int min_points = 6;
+  double max_flatness = 0.1;
+  double max_thickness_m = 0.2;
+  double min_width_m = 0.1;
+  int max_cells = 170'000;
+  double radius_m = 100.0;
+};
+
+template <typename Visitor>
+void describe(Visitor& v, CellsConfig& c) {
+  v("cell_m", c.cell_m, within(0.1, 10.0), "side of a cell");
+  v("max_points", c.max_points, within(3, 10000), "later points of a cell are not counted");
+  v("min_points", c.min_points, within(3, 1000), "fewer points make no plane");
+  v("max_flatness", c.max_flatness, within(0.001, 1.0), "of a plane: its least variance over the middle one");
+  v("max_thickness_m", c.max_thickness_m, within(0.01, 2.0),
+    "of a plane: deviation of its points along the normal");
+  v("min_width_m", c.min_width_m, within(0.0, 1.0),
+    "of a plane: deviation of its points along its narrower side; the noise of ranges alone gives a ring's "
+    "arc some");
+  v("max_cells", c.max_cells, within(1000, 4'000'000), "room for so many; 108 bytes each");
+  v("radius_m", c.radius_m, within(10.0, 1000.0), "cells farther from the sensor are given up");
+}
+
+/// [mapping.start] The motions that the first sweeps are tried with.
+struct StartConfig {
+  bool search = true;
+  double max_speed_m_s = 30.0;
+  double speed_step_m_s = 4.0;
+  double turn_rate_deg_s = 20.0;
+  double kernel_m = 0.3;
+};
+
+template <typename Visitor>
+void describe(Visitor& v, StartConfig& c) {
+  v("search", c.search, "find out how the vehicle moves at the start; false: it stands");
+  v("max_speed_m_s", c.max_speed_m_s, within(0.0, 100.0), "highest speed that is tried");
+  v("speed_step_m_s", c.speed_step_m_s, within(1.0, 50.0),
+    "steps of the speeds tried; the first backwards, too");
+  v("turn_rate_deg_s", c.turn_rate_deg_s, within(0.0, 90.0),
+    "up to half the highest speed, turns to either side are tried");
+  v("kernel_m", c.kernel_m, within(0.01, 2.0),
+    "width of the kernel while motions are tried: most points fit any of them, those that do not must count");
+}
+
+/// [mapping.trust] When a registration is not believed.
+struct TrustConfig {
+  int min_matches = 100;
+  double min_score_ratio = 0.5;
+  double max_correction_m = 2.0;
+  double max_correction_deg = 5.0;
+  double max_acceleration_m_s2 = 15.0;
+  int relocalise_after = 5;
+  int restart_after = 20;
+  int lost_after = 5;
+};
+
+template <typename Visitor>
+void describe(Visitor& v, TrustConfig& c) {
+  v("min_matches", c.min_matches, within(6, 10000), "fewer matches: prediction instead");
+  v("min_score_ratio", c.min_score_ratio, within(0.0, 1.0),
+    "a sweep that fits the map by less than this part of what was usual lately: prediction instead");
+  v("max_correction_m", c.max_correction_m, within(0.01, 100.0),
+    "a pose farther from the predicted one is implausible; more after failures");
+  v("max_correction_deg", c.max_correction_deg, within(0.1, 180.0), "the same for rotation");
+  v("max_acceleration_m_s2", c.max_acceleration_m_s2, within(1.0, 1000.0), "and for the change of velocity");
+  v("relocalise_after", c.relocalise_after, within(1, 1000),
+    "failures in a row after which the pose is sought in the whole neighbourhood");
+  v("restart_after", c.restart_after, within(2, 10000),
+    "failures in a row after which the map is begun anew");
+  v("lost_after", c.lost_after, within(1, 1000), "predicted sweeps in a row until the state is LOST");
+}
+
+/// [mapping] Scan-to-map registration: the refined pose.
+struct MappingConfig {
+  CellsConfig cells;
+  StartConfig start;
+  TrustConfig trust;
+  bool refine = true;
+  int max_iterations = 8;
+  double gate_m = 1.0;
+  double point_sigma_m = 0.03;
+  double kernel_min_m = 0.05;
+  double stop_translation_m = 0.001;
+  double stop_rotation_rad = 0.0001;
+  double prior_weight = 0.3;
+  double min_contribution = 1.0;
+};
+
+template <typename Visitor>
+void describe(Visitor& v, MappingConfig& c) {
+  v.section("cells", c.cells, "the local map");
+  v.section("start", c.start, "the motion that the sensor is switched on in");
+  v.section("trust", c.trust, "when a registration is not believed");
+  v("refine", c.refine, "register sweeps to the map; false: refined poses are the first poses");
+  v("max_iterations", c.max_iterations, within(1, 100), "most rounds of matching and solving in a sweep");
+  v("gate_m", c.gate_m, within(0.05, 10.0), "points farther from the plane are not matched");
+  v("point_sigma_m", c.point_sigma_m, within(0.001, 1.0),
+    "deviation of a point from its plane by the sensor alone; thicker planes weigh less");
+  v("kernel_min_m", c.kernel_min_m, within(0.001, 1.0),
+    "least width of the Geman-McClure kernel, otherwise three times the residuals' robust deviation");
+  v("stop_translation_m", c.stop_translation_m, within(0.0, 1.0), "a step that moves less ends the search");
+  v("stop_rotation_rad", c.stop_rotation_rad, within(0.0, 0.1), "and turns less");
+  v("prior_weight", c.prior_weight, within(0.0, 1.0),
+    "how far the scan-to-scan motion is trusted beside the map, as part of its own information");
+  v("min_contribution", c.min_contribution, within(0.0, 1000.0),
+    "a direction of motion for which fewer matches speak, by squared cosine, counts as not observable");
+}
+
+}  // namespace pago

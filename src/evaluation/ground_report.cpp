@@ -1,0 +1,64 @@
+// SPDX-FileCopyrightText: 2026 The PaGO authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "pago/evaluation/ground_report.hpp"
+
+#include "ground_summaries.hpp"
+#include "pago/core/error.hpp"
+#include "pago/core/text.hpp"
+
+namespace pago::evaluation {
+
+std::vector<GroundSummary> summaries(const GroundComparison& comparison) {
+  std::vector<GroundSummary> result;
+  for (const GroundComparison::Row& row : comparison.methods) {
+    if (row.counts.size() != comparison.frames.size())
+      throw Error("ground report", row.method + " has " + std::to_string(row.counts.size()) + " counts for " +
+                                       std::to_string(comparison.frames.size()) + " frames");
+    result.push_back(summarize_ground(row.counts));
+    if (result.back().protocol != comparison.protocol)
+      throw Error("ground report", row.method + " was counted by the other protocol");
+  }
+  return result;
+}
+
+std::string_view rule_of(GroundProtocol protocol) noexcept {
+  return protocol == GroundProtocol::kPatchwork ? "low vegetation is ground, other vegetation is not"
+                                                : "vegetation is left out";
+}
+
+std::string ground_table(const GroundComparison& comparison) {
+  const std::vector<GroundSummary> all = summaries(comparison);
+  std::string text =
+      "protocol " + std::string(to_string(comparison.protocol)) + ": " +
+      std::string(rule_of(comparison.protocol)) + format("; %zu frames, %%\n", comparison.frames.size()) +
+      "                      mean +- deviation over the frames             all points together\n"
+      "  method            precision        recall            F1   precision  recall      F1\n";
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    const GroundScore &mean = all[i].mean, &deviation = all[i].deviation, &pooled = all[i].pooled;
+    text += format("  %-15s %6.2f +- %4.2f %6.2f +- %4.2f %6.2f +- %4.2f   %8.2f %7.2f %7.2f\n",
+                   comparison.methods[i].method.c_str(), 100.0 * mean.precision, 100.0 * deviation.precision,
+                   100.0 * mean.recall, 100.0 * deviation.recall, 100.0 * mean.f1, 100.0 * deviation.f1,
+                   100.0 * pooled.precision, 100.0 * pooled.recall, 100.0 * pooled.f1);
+  }
+  return text;
+}
+
+std::string ground_csv(const GroundComparison& comparison) {
+  summaries(comparison);
+  std::string text =
+      "method,frame,true_positive,false_positive,false_negative,true_negative,excluded,precision,recall,f1\n";
+  for (const GroundComparison::Row& row : comparison.methods) {
+    for (std::size_t i = 0; i < comparison.frames.size(); ++i) {
+      const GroundCounts& c = row.counts[i];
+      const GroundScore score = ground_score(c);
+      text += row.method + ',' + std::to_string(comparison.frames[i]);
+      for (const std::uint64_t count :
+           {c.true_positive, c.false_positive, c.false_negative, c.true_negative, c.excluded})
+        text += ',' + std::to_string(count);
+      text += format(",%.6f,%.6f,%.6f\n", score.precision, score.recall, score.f1);
+    }
+  }
+  return text;
+}
+
+}  // namespace pago::evaluation

@@ -1,0 +1,119 @@
+// SPDX-FileCopyrightText: 2026 The PaGO authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "pago/mapping/joint_registration.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "pago/core/se3.hpp"
+#include "pago/core/symmetric6.hpp"
+#include "pago/registration/robust.hpp"
+
+namespace pago::mapping {
+
+using registration::Cell;
+using registration::CellMap;
+using registration::Deskew;
+using registration::NormalEquations;
+using registration::PointCloud;
+using registration::Row;
+
+namespace {
+
+/// Fewer equations than unknowns say nothing.
+constexpr std::size_t kLeastMatches = 6;
+
+Vector6d twist_of(const Eigen::Isometry3d& T_last_this, const MotionGuess& guess) noexcept {
+  if (guess.period_s <= 0.0) return Vector6d::Zero();
+  if (guess.twist) return *guess.twist;
+  return log_se3(T_last_this) / guess.period_s;
+}
+
+}  // namespace
+
+JointRegistration::JointRegistration(const MappingConfig& config, std::size_t max_points)
+    : config_(config), rows_(max_points), magnitudes_(max_points) {}
+
+JointResult JointRegistration::align(CellMap& map,
+                                     const PointCloud& points,
+                                     const MotionGuess& guess,
+                                     const JointLimits& limits,
+                                     const Budget& budget) noexcept {
+  JointResult result;
+  result.offered = static_cast<std::uint32_t>((points.size + limits.stride - 1) / limits.stride);
+  result.T_last_this = limits.T_first.value_or(guess.T_last_this);
+  while (true) {
+    result.twist = twist_of(result.T_last_this, guess);
+    match(map, points, guess.T_map_last * result.T_last_this, result.twist, limits);
+    weigh(limits.kernel_min_m);
+    NormalEquations sum;
+    sum.add(rows_.view());
+    ++result.iterations;
+    result.information = sum.H;
+    result.rms_m = sum.rms_m();
+    // Judged where the search begins: afterwards it could have slipped along what is weak.
+    if (result.iterations == 1 && limits.keeps_weak)
+      result.weak = registration::find_weak_directions(sum.H, rows_.view(), config_.min_contribution);
+    if (rows_.size() < kLeastMatches) break;
+
+    const Vector6d off = difference(guess.T_last_this, result.T_last_this);
+    const Vector6d step = solve_semidefinite(sum.H + guess.information + result.weak.penalty,
+                                             -(sum.b + guess.information * off));
+    if (!step.allFinite()) break;
+    result.T_last_this = perturb(result.T_last_this, step);
+    if (step.head<3>().norm() < config_.stop_translation_m &&
+        step.tail<3>().norm() < config_.stop_rotation_rad)
+      break;
+    if (result.iterations >= limits.max_iterations) break;
+    result.is_cut = !budget.allows_after(result.iterations);
+    if (result.is_cut) break;
+  }
+  result.T_last_this = orthonormalized(result.T_last_this);
+  result.twist = twist_of(result.T_last_this, guess);
+  measure(result);
+  return result;
+}
+
+void JointRegistration::match(CellMap& map,
+                              const PointCloud& points,
+                              const Eigen::Isometry3d& T_map_this,
+                              const Vector6d& twist,
+                              const JointLimits& limits) noexcept {
+  const Deskew to_reference(twist);
+  const Eigen::Matrix3d R = T_map_this.linear();
+  const Eigen::Vector3d t = T_map_this.translation();
+  const Eigen::Matrix3f R_this_map = R.transpose().cast<float>();
+  const auto gate_m = static_cast<float>(limits.gate_m);
+  const auto sigma_sq = static_cast<float>(config_.point_sigma_m * config_.point_sigma_m);
+  rows_.clear();
+  for (std::size_t i = 0; i < points.size; i += limits.stride) {
+    const Eigen::Vector3f p = to_reference(points.point(i), points.before_s[i]);
+    Eigen::Vector3f offset;
+    const Cell* plane = map.find_shape(R * p.cast<double>() + t, points.tag[i], offset);
+    if (plane == nullptr) continue;
+    const float residual = plane->axis.dot(offset);
+    if (!(std::abs(residual) < gate_m)) continue;
+    rows_.push_back(
+        registration::plane_row(p, R_this_map * plane->axis, residual, sigma_sq + plane->thickness_m2));
+  }
+}
+
+void JointRegistration::weigh(double kernel_min_m) noexcept {
+  magnitudes_.clear();
+  for (const Row& row : rows_) magnitudes_.push_back(std::abs(row.residual_m));
+  const float width = registration::kernel_width<float>({magnitudes_.begin(), magnitudes_.size()},
+                                                        static_cast<float>(kernel_min_m));
+  for (Row& row : rows_) row.kernel_weight = registration::geman_mcclure(row.residual_m, width);
+}
+
+// With a fixed kernel: the one used for solving widens with the misfit, and so would praise a bad fit.
+void JointRegistration::measure(JointResult& result) const noexcept {
+  constexpr float kWidth_m = 0.1F;
+  double closeness = 0.0;
+  for (const Row& row : rows_.view())
+    closeness += static_cast<double>(registration::geman_mcclure(row.residual_m, kWidth_m));
+  result.matches = static_cast<std::uint32_t>(rows_.size());
+  result.score = closeness / std::max(1U, result.offered);
+}
+
+}  // namespace pago::mapping

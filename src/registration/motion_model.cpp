@@ -1,0 +1,21 @@
+// SPDX-FileCopyrightText: 2026 The PaGO authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "pago/registration/motion_model.hpp"
+
+#include <algorithm>
+
+namespace pago::registration {
+
+Matrix6d predicted_information(double period_s, int unconfirmed) noexcept {
+  constexpr double kAcceleration_m_s2 = 2.0, kTurnAcceleration_rad_s2 = 0.5;
+  constexpr double kShortest_s = 0.01;
+  const double period_sq = std::max(period_s, kShortest_s) * std::max(period_s, kShortest_s);
+  const double variance_factor = period_sq * period_sq * (1 + unconfirmed);
+  Vector6d diagonal;
+  diagonal.head<3>().setConstant(1.0 / (kAcceleration_m_s2 * kAcceleration_m_s2 * variance_factor));
+  diagonal.tail<3>().setConstant(1.0 /
+                                 (kTurnAcceleration_rad_s2 * kTurnAcceleration_rad_s2 * variance_factor));
+  return diagonal.asDiagonal();
+}
+
+}  // namespace pago::registration

@@ -1,0 +1,59 @@
+// SPDX-FileCopyrightText: 2026 The PaGO authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "app/program.hpp"
+#include "support/catch.hpp"
+#include "support/data.hpp"
+
+using namespace pago;
+using namespace pago::test;
+using Catch::Matchers::Contains;
+
+TEST_CASE("a capture becomes a mask per sweep and method, coloured on request", "[app][segment]") {
+  const StreetFolder folder(2);
+  const Outcome outcome =
+      run_pago(folder.path(), "segment street.pcap --ground patchwork,none --ply --pictures --output masks");
+  INFO(outcome.out << outcome.err);
+  REQUIRE(outcome.exit_code == 0);
+  CHECK_THAT(outcome.out, Contains("none              0.00 % ground"));
+  const fs::path latest = folder.path() / "masks" / "latest";
+  const std::string mask = read_text(latest / "patchwork" / "000000.mask");
+  const std::string none = read_text(latest / "none" / "000000.mask");
+  const auto num_ground = static_cast<std::size_t>(std::count(mask.begin(), mask.end(), '\1'));
+  CHECK(mask.size() > 50'000);
+  CHECK(none == std::string(mask.size(), '\0'));
+  CHECK(num_ground > mask.size() / 10);
+  CHECK(num_ground + static_cast<std::size_t>(std::count(mask.begin(), mask.end(), '\0')) == mask.size());
+  const std::string ply = read_text(latest / "patchwork" / "000000.ply");
+  CHECK_THAT(ply, Contains("element vertex " + std::to_string(mask.size()) + "\n"));
+  CHECK_THAT(read_text(latest / "patchwork" / "000001.png"), Contains("PNG"));
+  CHECK_FALSE(fs::exists(latest / "index.html"));  // no labels, no scores
+}
+
+TEST_CASE("labelled scans are scored by both protocols, with a page", "[app][segment]") {
+  PAGO_DATA_OR_SKIP(scans, "kitti/semantickitti_single");
+  const StreetFolder folder(1);
+  const Outcome outcome = run_pago(
+      folder.path(), "segment '" + scans.string() + "' --ground patchwork,truth --set mount.height_m=1.723");
+  INFO(outcome.out << outcome.err);
+  REQUIRE(outcome.exit_code == 0);
+  CHECK(outcome.out.find("protocol A (Patchwork)") < outcome.out.find("protocol B (Patchwork++)"));
+  CHECK_THAT(outcome.out, Contains("truth           100.00 +- 0.00 100.00 +- 0.00 100.00 +- 0.00"));
+  const fs::path latest = folder.path() / "segments" / "latest";
+  CHECK(fs::file_size(latest / "patchwork" / "000000.mask") ==
+        fs::file_size(scans / "velodyne" / "000000.bin") / 16);
+  CHECK(count_lines(read_text(latest / "protocol_a.csv")) == 3);
+  CHECK(count_lines(read_text(latest / "protocol_b.csv")) == 3);
+  CHECK_THAT(read_text(latest / "index.html"), Contains("Precision, %") && Contains("Protocol B"));
+}
+
+TEST_CASE("what cannot be segmented is refused in one line", "[app][segment]") {
+  const StreetFolder folder(1);
+  const auto segment = [&](const std::string& arguments) {
+    return run_pago(folder.path(), "segment " + arguments);
+  };
+  require_one_line_and_code_2(segment("missing.pcap"), "missing.pcap");
+  require_one_line_and_code_2(segment("street.pcap --ground patchwork,lawn"), "lawn");
+  require_one_line_and_code_2(segment("street.pcap --ground patchwork,truth"), "has no labels");
+  require_one_line_and_code_2(segment("udp://127.0.0.1:0 --calibration calibration.yaml"), "is live");
+  CHECK_FALSE(fs::exists(folder.path() / "segments"));
+}
