@@ -23,7 +23,7 @@ Estimate load_estimate(const std::string& argument, const std::string& name, boo
   fs::path file = argument;
   const bool is_folder = fs::is_directory(file);
   Estimate estimate;
-  if (is_folder) estimate.run = output::read_run_files(file);
+  if (is_folder && output::is_results_folder(file)) estimate.run = output::read_run_files(file);
   if (is_folder) file /= name + (with_stamps ? ".tum" : ".kitti");
   estimate.trajectory = evaluation::read_trajectory(file);
   if (is_folder) estimate.trajectory.name = argument;

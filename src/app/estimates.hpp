@@ -16,7 +16,7 @@ struct Estimate {
   std::optional<output::RunFiles> run;  ///< where the trajectory lies in the results folder of a run
 };
 
-/// A trajectory file, or a results folder: then its trajectory NAME ("trajectory" or "odometry"), with stamps
+/// A trajectory file, or a folder of `pago run` or `pago baseline`: then its trajectory NAME, with stamps
 /// (.tum) or as rows (.kitti). What lies beside a trajectory of a results folder comes along: run.json,
 /// latency.csv, poses.csv.
 Estimate load_estimate(const std::string& argument, const std::string& name, bool with_stamps);

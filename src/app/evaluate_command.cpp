@@ -11,6 +11,8 @@
 #include "pago/core/se3.hpp"
 #include "pago/evaluation/comparison.hpp"
 #include "pago/evaluation/evaluation.hpp"
+#include "pago/output/text_file.hpp"
+#include "pago/report/evaluation_page.hpp"
 
 namespace pago::app {
 
@@ -22,7 +24,7 @@ using evaluation::PoseFrame;
 using Unit = evaluation::PairOptions::Unit;
 
 struct EvaluateOptions {
-  std::string truth, rows, camera_calibration, truth_at, estimate_at;
+  std::string truth, rows, camera_calibration, truth_at, estimate_at, html, ground;
   std::vector<std::string> estimates;
   std::vector<double> truth_mount;
   std::string match = "auto", truth_frame = "sensor", estimate_frame = "sensor", poses = "refined";
@@ -40,7 +42,8 @@ const std::map<std::string, Alignment> kAlignments{{"se3", Alignment::kSe3},
                                                    {"first", Alignment::kFirstPose},
                                                    {"none", Alignment::kNone}};
 const std::map<std::string, Unit> kUnits{{"m", Unit::kMetres}, {"rows", Unit::kRows}};
-const std::map<std::string, std::string> kPoses{{"refined", "trajectory"}, {"first", "odometry"}};
+const std::map<std::string, std::string> kPoses{
+    {"refined", "trajectory"}, {"first", "odometry"}, {"front_end", "front_end"}};
 
 /// The library's own descriptions of these checks would print enum values into the help.
 template <typename Words>
@@ -111,7 +114,7 @@ void add_frame_options(CLI::App& command, EvaluateOptions& options) {
       ->expected(6)
       ->type_name("X,Y,Z,ROLL,PITCH,YAW")
       ->group(group);
-  command.add_option("--poses", options.poses, "poses of a results folder: refined, first")
+  command.add_option("--poses", options.poses, "poses of a results folder: refined, first, front_end")
       ->check(words(kPoses))
       ->type_name("WHICH")
       ->group(group);
@@ -187,20 +190,34 @@ double instant_shift(const EvaluateOptions& options, const Estimate& estimate) {
   return evaluation::parse_instant(at) - evaluation::parse_instant(options.truth_at);
 }
 
+void print(const std::vector<evaluation::Evaluation>& scores, bool as_json) {
+  if (scores.size() == 1) {
+    std::cout << (as_json ? evaluation_json(scores[0]) : evaluation_report(scores[0]));
+  } else {
+    std::cout << (as_json ? evaluations_json(scores) : comparison_report(scores));
+  }
+}
+
 int evaluate_command(const EvaluateOptions& options) {
   const evaluation::Trajectory truth = evaluation::read_trajectory(options.truth);
   evaluation::EvaluationOptions how = common_options(options);
   const bool with_stamps = truth.has_stamps() && how.match.matching != Matching::kRow;
+  const std::vector<std::string> names = report::short_names(options.estimates);
   std::vector<evaluation::Evaluation> scores;
-  for (const std::string& argument : options.estimates) {
-    const Estimate estimate = load_estimate(argument, kPoses.at(options.poses), with_stamps);
+  report::EvaluationPage page;
+  for (std::size_t i = 0; i < options.estimates.size(); ++i) {
+    const Estimate estimate = load_estimate(options.estimates[i], kPoses.at(options.poses), with_stamps);
     how.match.instant_shift_rows = instant_shift(options, estimate);
     scores.push_back(evaluation::evaluate(truth, estimate.trajectory, how));
+    page.scored.push_back({names[i], scores.back()});
+    page.timed.push_back({names[i], estimate.run.value_or(output::RunFiles{})});
   }
-  if (scores.size() == 1) {
-    std::cout << (options.json ? evaluation_json(scores[0]) : evaluation_report(scores[0]));
-  } else {
-    std::cout << (options.json ? evaluations_json(scores) : comparison_report(scores));
+  print(scores, options.json);
+  if (!options.html.empty()) {
+    if (!options.ground.empty()) page.ground = evaluation::read_ground_folder(options.ground);
+    page.made_by = "pago " PAGO_VERSION " evaluate " + options.truth;
+    for (const std::string& estimate : options.estimates) page.made_by += " " + estimate;
+    output::write_file(options.html, report::evaluation_page(page));
   }
   return 0;
 }
@@ -219,6 +236,16 @@ void add_evaluate_command(CLI::App& program, Action& action) {
       ->type_name("ESTIMATE...")
       ->required();
   command.add_flag("--json", options->json, "print one JSON object");
+  CLI::Option* const html =
+      command
+          .add_option("--html", options->html, "write a page with figures: one file, opens without network")
+          ->type_name("FILE");
+  command
+      .add_option("--ground", options->ground,
+                  "a folder of `pago segment`, run on the same drive with labels: its precision and recall "
+                  "on the page")
+      ->type_name("DIR")
+      ->needs(html);
   add_matching_options(command, *options);
   add_frame_options(command, *options);
   add_metric_options(command, *options);

@@ -87,6 +87,7 @@ Evaluation evaluate(Trajectory truth, Trajectory estimate, const EvaluationOptio
   if (!estimate.motion_covariances.empty())
     e.consistency = consistency_of(matched, estimate.motion_covariances);
   e.course = course_of(matched, options.alignment);
+  e.course_alignment = options.alignment;
   e.mix_ups = find_mix_ups(truth, estimate, options.match);
   e.warnings = warnings_of(e);
   return e;

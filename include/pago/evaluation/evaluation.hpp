@@ -64,6 +64,7 @@ struct Evaluation {
   FinalDrift final_drift;
   std::optional<Consistency> consistency;  ///< where the estimate has covariances
   std::vector<CoursePoint> course;
+  Alignment course_alignment = Alignment::kSe3;
   std::vector<MixUp> mix_ups;
   std::vector<std::string> warnings;  ///< whole sentences, those of the mix-ups among them
 
