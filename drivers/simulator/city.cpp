@@ -15,7 +15,7 @@ namespace {
 
 using Eigen::Vector2d;
 
-enum Purpose : std::uint64_t { kNode = 200, kTurn, kStop, kHill, kMissing, kWidth };
+enum : std::uint64_t { kNode = 200, kTurn, kStop, kHill, kMissing, kWidth };
 
 constexpr double kBlock_m = 110.0, kCrookedness_m = 14.0;
 constexpr double kLane_m = 1.6;     // right of the street's middle

@@ -10,7 +10,7 @@ namespace pago::simulator {
 namespace {
 
 // What the seed is used for.
-enum Purpose : std::uint64_t { kKerb = 100, kDriveway, kRoad, kYard, kRelief, kShade, kBump };
+enum : std::uint64_t { kKerb = 100, kDriveway, kRoad, kYard, kRelief, kShade, kBump };
 
 constexpr std::size_t kFarStride = 10;  // street points; 20 m
 // Within the first distance from a street's middle the land follows the streets near by, beyond the second

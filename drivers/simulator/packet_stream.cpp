@@ -7,7 +7,7 @@
 namespace pago::simulator {
 namespace {
 
-enum Purpose : std::uint64_t { kWire = 800 };
+enum : std::uint64_t { kWire = 800 };
 
 void put_u16(std::uint8_t* to, std::uint16_t value) {
   std::memcpy(to, &value, sizeof value);

@@ -12,7 +12,7 @@
 namespace pago::simulator {
 namespace {
 
-enum Purpose : std::uint64_t { kBeam = 700, kGain };
+enum : std::uint64_t { kBeam = 700, kGain };
 
 /// Half the width of a beam (2 mrad, S2 manual).
 constexpr double kSpread_rad = 0.001;

@@ -4,10 +4,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <optional>
 
 #include "packet_stream.hpp"
+#include "pago/core/units.hpp"
 #include "pago/simulator/unit.hpp"
 #include "surroundings.hpp"
 
@@ -27,7 +27,7 @@ hdl64::Calibration calibration_file(const Hdl64Config& sensor) {
 
 SensorSetup sensor_setup(const SimulatorConfig& config, const hdl64::Calibration& file, const Mount& mount) {
   const auto seed = static_cast<std::uint64_t>(config.seed);
-  const UnitErrors errors{config.range_bias_m, config.angle_error_deg * std::numbers::pi / 180.0};
+  const UnitErrors errors{config.range_bias_m, config.angle_error_deg * kDegree};
   return {.unit = imperfect(file, errors, seed),
           .timing = kSingleReturn,
           .rotation_hz = config.rotation_hz,

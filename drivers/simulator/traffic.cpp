@@ -16,7 +16,7 @@ namespace {
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 
-enum Purpose : std::uint64_t { kOncoming = 600, kCompany, kPedestrian, kPerson };
+enum : std::uint64_t { kOncoming = 600, kCompany, kPedestrian, kPerson };
 
 constexpr double kStep_s = 0.05;  // between the poses that are worked out; 20 m/s: 1 m
 constexpr double kReach_m = RayCaster::kSight_m + 10.0;

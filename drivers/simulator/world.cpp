@@ -11,7 +11,7 @@ namespace {
 
 using Eigen::Vector2d;
 
-enum Purpose : std::uint64_t { kPlot = 300, kFurniture, kParked, kModel, kSideCharacter };
+enum : std::uint64_t { kPlot = 300, kFurniture, kParked, kModel, kSideCharacter };
 
 constexpr int kModels = 6;  // of trees and of bushes; scaled and turned they look different enough
 

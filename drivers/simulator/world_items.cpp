@@ -13,7 +13,7 @@ namespace {
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 
-enum Purpose : std::uint64_t { kGarden = 400 };
+enum : std::uint64_t { kGarden = 400 };
 
 const Model& one_of(const std::vector<Model>& models, Random& random) {
   return models[static_cast<std::size_t>(random.below(static_cast<int>(models.size())))];
