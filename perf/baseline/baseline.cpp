@@ -6,6 +6,8 @@
 #include <cmath>
 #include <unordered_set>
 
+#include "pago/core/units.hpp"
+
 namespace pago::baseline {
 namespace {
 
@@ -40,10 +42,6 @@ Points thinned(const Points& points, double side_m) {
   for (const Eigen::Vector3d& point : points)
     if (taken.insert(key_of(cube_of(point, side_m))).second) kept.push_back(point);
   return kept;
-}
-
-double seconds(std::int64_t ns) {
-  return static_cast<double>(ns) * 1e-9;
 }
 
 }  // namespace

@@ -11,7 +11,7 @@
 namespace pago::evaluation {
 namespace {
 
-constexpr double kSmallestGain = 0.5;
+constexpr double kSmallestBodyGain = 0.5;
 constexpr double kSmallestTurnDeg = 1.0;
 constexpr double kSmallestLever_m = 0.1;
 constexpr double kCameraWithinDeg = 10.0;
@@ -114,12 +114,12 @@ std::vector<MixUp> find_body_mix_ups(const std::vector<MotionPair>& pairs) {
   const std::vector<MotionPair> upright = turned(pairs, R_truth_estimate);
   const Misfit once_turned = misfit_of(upright);
   const bool is_turned = angle_deg(R_truth_estimate) > kSmallestTurnDeg &&
-                         gain(as_given, once_turned, pairs.size()) > kSmallestGain;
+                         gain(as_given, once_turned, pairs.size()) > kSmallestBodyGain;
   if (is_turned) found.push_back(turn_of(R_truth_estimate, less_error(as_given, once_turned)));
   const std::vector<MotionPair>& level = is_turned ? upright : pairs;
   const Eigen::Vector3d lever_m = lever_between(level);
   const Misfit before = misfit_of(level), after = misfit_of(moved(level, lever_m));
-  if (lever_m.norm() > kSmallestLever_m && gain(before, after, pairs.size()) > kSmallestGain)
+  if (lever_m.norm() > kSmallestLever_m && gain(before, after, pairs.size()) > kSmallestBodyGain)
     found.push_back(lever_of(lever_m, less_error(before, after)));
   return found;
 }

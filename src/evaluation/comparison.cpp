@@ -16,7 +16,7 @@ struct Figure {
   double (*of)(const Evaluation&);
 };
 
-constexpr Figure kFigures[] = {
+constexpr Figure kComparedFigures[] = {
     {"t_rel", "%", "translation error of KITTI's segments, of their length",
      [](const Evaluation& e) { return e.relative.overall.t_rel_percent; }},
     {"r_rel", "deg/100 m", "rotation error of KITTI's segments",
@@ -52,7 +52,7 @@ std::string cell(const ComparedFigure& figure, std::size_t i) {
 
 std::vector<ComparedFigure> compared_figures(const std::vector<Evaluation>& evaluations) {
   std::vector<ComparedFigure> compared;
-  for (const Figure& figure : kFigures) {
+  for (const Figure& figure : kComparedFigures) {
     ComparedFigure row{figure.name, figure.unit, figure.meaning, {}};
     for (const Evaluation& e : evaluations) row.values.push_back(figure.of(e));
     if (std::any_of(row.values.begin(), row.values.end(), [](double value) { return std::isfinite(value); }))

@@ -3,9 +3,9 @@
 #include "pago/evaluation/consistency.hpp"
 
 #include <cmath>
-#include <limits>
 
 #include "matched_paths.hpp"
+#include "no_value.hpp"
 #include "pago/core/error.hpp"
 #include "pago/core/se3.hpp"
 #include "pago/core/symmetric6.hpp"
@@ -14,7 +14,6 @@
 namespace pago::evaluation {
 namespace {
 
-constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 // Rotations in radians beside translations in metres: a factor of 1e6 between the variances is normal.
 constexpr double kSmallestEigenvalueRatio = 1e-14;
 
@@ -85,8 +84,8 @@ Consistency consistency_of(const MatchedTrajectories& matched, const std::vector
     before = &pose;
   }
   if (c.motions.empty()) {
-    c.nees = c.lower = c.upper = c.translation_nees = c.rotation_nees = c.inside_percent = kNaN;
-    c.error_per_sigma.setConstant(kNaN);
+    c.nees = c.lower = c.upper = c.translation_nees = c.rotation_nees = c.inside_percent = kNoValue;
+    c.error_per_sigma.setConstant(kNoValue);
   } else {
     finish(c, sums);
   }

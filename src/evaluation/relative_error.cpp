@@ -6,17 +6,15 @@
 #include <cmath>
 #include <functional>
 #include <iterator>
-#include <limits>
 
 #include "matched_paths.hpp"
+#include "no_value.hpp"
 #include "pago/core/error.hpp"
 #include "pago/core/text.hpp"
 #include "rotation.hpp"
 
 namespace pago::evaluation {
 namespace {
-
-constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
 void check(const SegmentOptions& options) {
   if (options.step_rows < 1) throw Error("step", "must be at least 1 row");
@@ -112,7 +110,7 @@ DriftRates drift_rates(const std::vector<SegmentError>& segments) {
     rates.axis_percent += segment.translation_per_axis.cwiseAbs();
     rates.axis_deg_per_100m += segment.rotation_rad_per_m_per_axis.cwiseAbs();
   }
-  const double n = segments.empty() ? kNaN : static_cast<double>(segments.size());
+  const double n = segments.empty() ? kNoValue : static_cast<double>(segments.size());
   rates.t_rel_percent *= 100.0 / n;
   rates.axis_percent *= 100.0 / n;
   rates.r_rel_deg_per_100m *= 100.0 * kDegPerRad / n;

@@ -6,10 +6,11 @@
 #include <cmath>
 #include <limits>
 
+#include "no_value.hpp"
+
 namespace pago::evaluation {
 namespace {
 
-constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
 
 double median_of(std::vector<double>& values) {
@@ -58,7 +59,7 @@ double chi_square_cdf(double x, double degrees_of_freedom) {
 }  // namespace
 
 Statistics statistics_of(std::vector<double> values) {
-  if (values.empty()) return {0, kNaN, kNaN, kNaN, kNaN, kNaN, kNaN};
+  if (values.empty()) return {0, kNoValue, kNoValue, kNoValue, kNoValue, kNoValue, kNoValue};
   Statistics s;
   s.count = values.size();
   const double n = static_cast<double>(s.count);

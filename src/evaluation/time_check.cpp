@@ -15,7 +15,7 @@ constexpr int kMostRows = 5;
 constexpr double kSmallestShiftRows = 0.2;
 // Measured: at most 0.10 on KITTI 00 to 10 and on simulated drives as they should be, at least 0.41 with the
 // truth half a sweep off.
-constexpr double kSmallestGain = 0.2;
+constexpr double kSmallestTimeGain = 0.2;
 
 /// The truth at a row between two rows.
 Eigen::Isometry3d truth_at(const MatchedTrajectories& matched, double row) {
@@ -89,7 +89,7 @@ std::optional<MixUp> find_time_shift(const MatchedTrajectories& matched, double 
     if (net(i) > net(best)) best = i;
   const double rows =
       (static_cast<double>(best) + refined(gains, best)) / kStepsPerRow - static_cast<double>(kMostRows);
-  if (net(best) < kSmallestGain || std::abs(rows) < kSmallestShiftRows) return std::nullopt;
+  if (net(best) < kSmallestTimeGain || std::abs(rows) < kSmallestShiftRows) return std::nullopt;
   return MixUp{MixUpKind::kTimeShift, "The estimate seems to hold for another time than the truth",
                format("its motions fit best %.2f rows (%.0f ms) %s in the truth, with %.0f %% less error; ",
                       std::abs(rows), 1e3 * std::abs(rows) * row_interval_s, rows > 0.0 ? "later" : "earlier",
