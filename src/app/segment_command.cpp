@@ -17,6 +17,7 @@
 #include "pago/output/results_folder.hpp"
 #include "pago/output/text_file.hpp"
 #include "pago/pipeline/sweep_reader.hpp"
+#include "pago/report/evaluation_page.hpp"
 #include "progress_line.hpp"
 #include "settings.hpp"
 #include "signals.hpp"
@@ -80,13 +81,13 @@ class Judge {
 
   /// Tables to the terminal, rows and the page into the folder.
   void report(const std::string& source, const std::filesystem::path& folder) const {
-    const std::array files{"protocol_a.csv", "protocol_b.csv"};
-    for (std::size_t i = 0; i < comparisons_.size(); ++i) {
-      std::cout << '\n' << ground_table(comparisons_[i]);
-      output::write_file(folder / files[i], ground_csv(comparisons_[i]));
+    for (const GroundComparison& comparison : comparisons_) {
+      std::cout << '\n' << ground_table(comparison);
+      output::write_file(folder / ground_csv_name(comparison.protocol), ground_csv(comparison));
     }
     output::write_file(folder / "index.html",
-                       evaluation::ground_page("Ground segmentation of " + source, comparisons_));
+                       report::ground_page("Ground segmentation of " + source, comparisons_,
+                                           "pago " PAGO_VERSION " segment " + source));
   }
 
  private:
@@ -109,21 +110,8 @@ std::vector<Contender> contenders(const SegmentOptions& options,
   return result;
 }
 
-SweepReader reader_of(OpenSource& source, const Config& config) {
-  if (OpenPackets* const open = std::get_if<OpenPackets>(&source))
-    return {config, *open->packets, open->calibration};
-  return {config, *std::get<OpenFolder>(source).sweeps};
-}
-
-Progress progress_of(const OpenSource& source) {
-  if (const auto* open = std::get_if<OpenPackets>(&source)) return open->packets->progress();
-  return std::get<OpenFolder>(source).sweeps->progress();
-}
-
-OpenSource open_recording(const SegmentOptions& options, Config& config) {
-  OpenSource source = open_source(options.source, config);
-  if (const auto* open = std::get_if<OpenPackets>(&source); open != nullptr && open->is_live)
-    throw Error(options.source, "is live", "segment a recording: a capture, KITTI scans or sim:urban");
+OpenSource open_labelled(const SegmentOptions& options, Config& config) {
+  OpenSource source = open_recording(options.source, config);
   for (const std::string& method : options.methods) require_labels(source, options.source, method);
   return source;
 }
@@ -169,7 +157,7 @@ int segment_command(SegmentOptions options) {
   if (options.methods.empty()) options.methods.push_back(config.ground.method);
   config.ground.method = options.methods.front();
   validate(config);
-  OpenSource source = open_recording(options, config);
+  OpenSource source = open_labelled(options, config);
   SweepReader reader = reader_of(source, config);
   const output::ResultsFolder results = output::create_results_folder(options.output);
   std::vector<Contender> methods = contenders(options, config, results.folder);

@@ -222,4 +222,22 @@ OpenSource open_source(const std::string& name, Config& config) {
   return source;
 }
 
+OpenSource open_recording(const std::string& name, Config& config) {
+  OpenSource source = open_source(name, config);
+  if (const auto* open = std::get_if<OpenPackets>(&source); open != nullptr && open->is_live)
+    throw Error(name, "is live", "name a recording: a capture, KITTI scans or sim:urban");
+  return source;
+}
+
+SweepReader reader_of(OpenSource& source, const Config& config) {
+  if (OpenPackets* const open = std::get_if<OpenPackets>(&source))
+    return {config, *open->packets, open->calibration};
+  return {config, *std::get<OpenFolder>(source).sweeps};
+}
+
+Progress progress_of(const OpenSource& source) {
+  if (const auto* open = std::get_if<OpenPackets>(&source)) return open->packets->progress();
+  return std::get<OpenFolder>(source).sweeps->progress();
+}
+
 }  // namespace pago::app

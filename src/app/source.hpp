@@ -13,6 +13,7 @@
 #include "pago/core/sources.hpp"
 #include "pago/hdl64/calibration.hpp"
 #include "pago/kitti/kitti_source.hpp"
+#include "pago/pipeline/sweep_reader.hpp"
 
 namespace pago::app {
 
@@ -44,6 +45,12 @@ std::optional<hdl64::Calibration> calibration_for(const std::filesystem::path& c
 /// calibration is used must have sent all of it: captures are looked through, a live sensor is waited for.
 /// Throws Error; also if the ground method of the configuration needs labels and the source has none.
 OpenSource open_source(const std::string& name, Config& config);
+
+/// The same of a recording, for tools that look at all of it; Error also for a live sensor.
+OpenSource open_recording(const std::string& name, Config& config);
+/// [set-up] Its sweeps; holds references to the source.
+SweepReader reader_of(OpenSource& source, const Config& config);
+Progress progress_of(const OpenSource& source);
 
 /// Throws Error if this ground method needs labels and a sweep of the source will have none.
 void require_labels(const OpenSource& source, const std::string& name, const std::string& method);
