@@ -12,7 +12,7 @@
 namespace pago::simulator {
 namespace {
 
-enum Purpose : std::uint64_t { kUnit = 500, kErrors };
+enum : std::uint64_t { kUnit = 500, kErrors };
 
 constexpr double kDegree = std::numbers::pi / 180.0;
 
