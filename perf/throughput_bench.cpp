@@ -20,7 +20,7 @@ namespace pago::perf {
 namespace {
 
 constexpr std::uint32_t kCapacity = 1024;
-constexpr int kBatches = 10, kRepetitions = 5;
+constexpr int kBatches = 10, kRuns = 5;
 
 /// Boost's queue by our verbs.
 class BoostRing {
@@ -113,7 +113,7 @@ void across(benchmark::State& state) {
 }
 
 void add(const char* name, void (*body)(benchmark::State&)) {
-  benchmark::RegisterBenchmark(name, body)->UseManualTime()->Iterations(kBatches)->Repetitions(kRepetitions);
+  benchmark::RegisterBenchmark(name, body)->UseManualTime()->Iterations(kBatches)->Repetitions(kRuns);
 }
 
 }  // namespace

@@ -4,9 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "folder.hpp"
+#include "pago/core/units.hpp"
 #include "scan_file.hpp"
 
 namespace pago {
@@ -40,7 +40,7 @@ void copy_points(std::span<const FilePoint> points, Sweep& sweep) noexcept {
 /// Turns every point up about the horizontal axis across its beam; its azimuth and range stay.
 void raise(Sweep& sweep, double angle_deg) noexcept {
   if (angle_deg == 0.0) return;
-  const double angle_rad = angle_deg * std::numbers::pi / 180.0;
+  const double angle_rad = angle_deg * kDegree;
   const auto cosine = static_cast<float>(std::cos(angle_rad)), sine = static_cast<float>(std::sin(angle_rad));
   for (std::size_t i = 0; i < sweep.size; ++i) {
     const float x = sweep.x_m[i], y = sweep.y_m[i], z = sweep.z_m[i];

@@ -9,7 +9,7 @@ namespace pago::simulator {
 namespace {
 
 // Where the two-point calibration was taken (S3 manual, p. 10).
-constexpr double kFar_m = 25.04, kNearX_m = 2.40, kNearY_m = 1.93;
+constexpr double kFarDistance_m = 25.04, kNearX_m = 2.40, kNearY_m = 1.93;
 
 }  // namespace
 
@@ -17,8 +17,8 @@ LaserLine::LaserLine(const hdl64::LaserCalibration& laser, const hdl64::Calibrat
     : cos_vertical_(std::cos(laser.vertical_rad)),
       sin_vertical_(std::sin(laser.vertical_rad)),
       horizontal_offset_m_(laser.horizontal_offset_m),
-      near_slope_x_((laser.distance_x_m - laser.distance_m) / (kFar_m - kNearX_m)),
-      near_slope_y_((laser.distance_y_m - laser.distance_m) / (kFar_m - kNearY_m)),
+      near_slope_x_((laser.distance_x_m - laser.distance_m) / (kFarDistance_m - kNearX_m)),
+      near_slope_y_((laser.distance_y_m - laser.distance_m) / (kFarDistance_m - kNearY_m)),
       distance_m_(laser.distance_m),
       lsb_m_(unit.distance_lsb_m),
       two_point_(near_slope_x_ != 0.0 || near_slope_y_ != 0.0) {
@@ -39,8 +39,8 @@ Line LaserLine::far(const Heading& heading) const noexcept {
 Line LaserLine::near(const Heading& heading) const noexcept {
   const double c = heading.cos, s = heading.sin, h = horizontal_offset_m_;
   const double side_x = s < 0.0 ? -1.0 : 1.0, side_y = c < 0.0 ? -1.0 : 1.0;
-  const double added_x = near_slope_x_ * (kFar_m - side_x * (xy_offset_m_ * s - h * c));
-  const double added_y = near_slope_y_ * (kFar_m - side_y * (xy_offset_m_ * c + h * s));
+  const double added_x = near_slope_x_ * (kFarDistance_m - side_x * (xy_offset_m_ * s - h * c));
+  const double added_y = near_slope_y_ * (kFarDistance_m - side_y * (xy_offset_m_ * c + h * s));
   const double added_x_step = -near_slope_x_ * side_x * cos_vertical_ * s;
   const double added_y_step = -near_slope_y_ * side_y * cos_vertical_ * c;
   const Line straight = far(heading);

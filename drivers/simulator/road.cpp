@@ -18,7 +18,7 @@ using Eigen::Vector2d;
 enum : std::uint64_t { kSweep = 1000, kBend, kHills, kRipples, kRoadStop };
 
 constexpr double kStep_m = 0.5;
-constexpr double kSight_m = 160.0;
+constexpr double kPastEnds_m = 160.0;
 
 double waves(const Waves& shape, std::uint64_t key, const Vector2d& at) {
   return shape.amplitude * noise(key, at.x(), at.y(), shape.size_m);
@@ -29,15 +29,15 @@ double height_m(const RoadShape& shape, std::uint64_t seed, const Vector2d& at) 
 }
 
 /// From a place on a line or circle as long as the road, on which headings are laid out.
-double heading(const RoadShape& shape, std::uint64_t seed, const Vector2d& place) {
+double heading_at(const RoadShape& shape, std::uint64_t seed, const Vector2d& place) {
   return waves(shape.sweep, hash(seed, kSweep), place) + waves(shape.bend, hash(seed, kBend), place);
 }
 
-/// The road's middle, from kSight_m before its beginning.
+/// The road's middle, from kPastEnds_m before its beginning.
 std::vector<Vector2d> open_line(const RoadShape& shape, std::uint64_t seed, double length_m) {
-  std::vector<Vector2d> line{Vector2d(-kSight_m, 0.0)};
-  for (double s = -kSight_m; s < length_m + kSight_m; s += kStep_m) {
-    const double angle = heading(shape, seed, {s, 0.0});
+  std::vector<Vector2d> line{Vector2d(-kPastEnds_m, 0.0)};
+  for (double s = -kPastEnds_m; s < length_m + kPastEnds_m; s += kStep_m) {
+    const double angle = heading_at(shape, seed, {s, 0.0});
     line.push_back(line.back() + kStep_m * Vector2d(std::cos(angle), std::sin(angle)));
   }
   return line;
@@ -50,7 +50,7 @@ std::vector<Vector2d> closed_line(const RoadShape& shape, std::uint64_t seed, do
   std::vector<Vector2d> line{Vector2d::Zero()};
   for (int k = 0; k < steps; ++k) {
     const double turn = 2.0 * std::numbers::pi * k / steps;
-    const double angle = turn + heading(shape, seed, radius_m * Vector2d(std::cos(turn), std::sin(turn)));
+    const double angle = turn + heading_at(shape, seed, radius_m * Vector2d(std::cos(turn), std::sin(turn)));
     line.push_back(line.back() + kStep_m * Vector2d(std::cos(angle), std::sin(angle)));
   }
   const Vector2d gap = line.back();
@@ -118,7 +118,7 @@ Route make_road(const RoadShape& shape, std::uint64_t seed, double length_m, dou
   }
   const std::vector<Vector2d> lane = beside(middle, right_m + shape.lane_m);
   std::vector<Vector2d> way;
-  const auto before = static_cast<std::ptrdiff_t>(kSight_m / kStep_m);
+  const auto before = static_cast<std::ptrdiff_t>(kPastEnds_m / kStep_m);
   if (loop_m > 0.0) {
     for (double s = 0.0; s < length_m + loop_m; s += loop_m)
       way.insert(way.end(), lane.begin(), lane.end() - 1);

@@ -4,10 +4,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <optional>
 
 #include "packet_stream.hpp"
+#include "pago/core/units.hpp"
 #include "pago/simulator/unit.hpp"
 #include "surroundings.hpp"
 
@@ -16,7 +16,7 @@ namespace {
 
 /// 2026-03-02 10:15:00 UTC.
 constexpr std::int64_t kStart_ns = 1'772'446'500'000'000'000;
-constexpr std::int64_t kHour_ns = 3'600'000'000'000;
+constexpr std::int64_t kStampWrap_ns = 3'600'000'000'000;
 
 bool is_s3(const SimulatorConfig& config) {
   return config.unit != SimulatedUnit::kS2;
@@ -37,7 +37,7 @@ FiringTiming timing_of(const SimulatorConfig& config) {
 
 std::int64_t start_of(const SimulatorFaults& faults) {
   if (faults.hour_ends_at_s <= 0.0) return kStart_ns;
-  return (kStart_ns / kHour_ns + 1) * kHour_ns - std::llround(faults.hour_ends_at_s * 1e9);
+  return (kStart_ns / kStampWrap_ns + 1) * kStampWrap_ns - std::llround(faults.hour_ends_at_s * 1e9);
 }
 
 hdl64::Calibration calibration_file(const Hdl64Config& sensor) {
@@ -49,7 +49,7 @@ hdl64::Calibration calibration_file(const Hdl64Config& sensor) {
 
 SensorSetup sensor_setup(const SimulatorConfig& config, const hdl64::Calibration& file, const Mount& mount) {
   const auto seed = static_cast<std::uint64_t>(config.seed);
-  const UnitErrors errors{config.range_bias_m, config.angle_error_deg * std::numbers::pi / 180.0};
+  const UnitErrors errors{config.range_bias_m, config.angle_error_deg * kDegree};
   return {.unit = imperfect(file, errors, seed),
           .timing = timing_of(config),
           .rotation_hz = config.rotation_hz,

@@ -96,7 +96,7 @@ StatusByte StatusCycle::at(std::uint64_t packet, std::int64_t time_ns) const noe
   if (place >= 9) return text_[cycle * kBytesPerCycle + place - 9];
   const sys_time<nanoseconds> now{nanoseconds(time_ns)};
   const auto midnight = floor<days>(now);
-  const hh_mm_ss clock{floor<seconds>(now - midnight)};
+  const hh_mm_ss clock{floor<std::chrono::seconds>(now - midnight)};
   const year_month_day date{midnight};
   const auto byte = [](auto value) { return static_cast<std::uint8_t>(value); };
   const std::array<StatusByte, 9> said{{{'H', byte(clock.hours().count())},

@@ -4,17 +4,15 @@
 
 #include <array>
 #include <cmath>
-#include <numbers>
 
 #include "pago/core/text.hpp"
+#include "pago/core/units.hpp"
 #include "random.hpp"
 
 namespace pago::simulator {
 namespace {
 
 enum : std::uint64_t { kUnit = 500, kErrors };
-
-constexpr double kDegree = std::numbers::pi / 180.0;
 
 /// The upper block's lasers from the top down; the lower block's are the same plus 32 (four of the six real
 /// files that were looked at agree).

@@ -8,6 +8,7 @@
 #include <numbers>
 
 #include "pago/core/se3.hpp"
+#include "pago/core/units.hpp"
 
 namespace pago::simulator {
 namespace {
@@ -18,7 +19,6 @@ enum : std::uint64_t { kWander = 900 };
 
 constexpr double kGrid_m = 0.5;
 constexpr double kHalfWheelbase_m = 1.35, kHalfTrack_m = 0.78;
-constexpr double kDegree = std::numbers::pi / 180.0;
 // A passenger car's body on its springs, and how far it leans under a metre per second squared.
 constexpr double kBounce_hz = 1.4, kDamping = 0.35;
 constexpr double kLeanPitch_rad = 0.35 * kDegree, kLeanRoll_rad = 0.45 * kDegree;

@@ -17,6 +17,7 @@
 #include "pago/config/load.hpp"
 #include "pago/core/error.hpp"
 #include "pago/core/text.hpp"
+#include "pago/core/units.hpp"
 #include "pago/output/results_folder.hpp"
 #include "pago/output/run_recorder.hpp"
 #include "pago/pcap/pcap_source.hpp"
@@ -52,6 +53,7 @@ class DemoObserver final : public Observer {
     records_.push_back(record);
     line_.count(record);
   }
+  void on_map_sweep(const output::MapSweep& sweep) override { recorder_.add(sweep); }
   void on_status(const IngestStatus& status) override {
     line_.show({std::chrono::duration<double>(Clock::now() - start_).count(), seconds_});
     const bool is_silent = stream_state(status, platform::monotonic_ns()) != StreamState::kRunning;
@@ -94,9 +96,9 @@ std::filesystem::path render(const Config& config) {
 }
 
 std::string latency_row(const char* name, const LatencyHistogram& histogram) {
-  const auto ms = [](std::int64_t ns) { return static_cast<double>(ns) * 1e-6; };
-  return format("  %-34s %8.2f %8.2f %8.2f %8.2f\n", name, ms(histogram.percentile(50)),
-                ms(histogram.percentile(90)), ms(histogram.percentile(99)), ms(histogram.max()));
+  return format("  %-34s %8.2f %8.2f %8.2f %8.2f\n", name, milliseconds(histogram.percentile(50)),
+                milliseconds(histogram.percentile(90)), milliseconds(histogram.percentile(99)),
+                milliseconds(histogram.max()));
 }
 
 /// One line of judgement; true if it holds.

@@ -6,6 +6,7 @@
 
 #include "pago/core/error.hpp"
 #include "pago/core/text.hpp"
+#include "pago/core/units.hpp"
 #include "pago/platform/clock.hpp"
 
 namespace pago::app {
@@ -170,7 +171,6 @@ std::string LiveObserver::handle(output::Request request) {
 }
 
 std::string LiveObserver::status_json() const {
-  const auto ms = [](std::int64_t ns) { return static_cast<double>(ns) * 1e-6; };
   const output::LatencySummary first = output::summarize(recorder_.totals().latency.first_pose);
   const StreamState state = stream_state(now_, platform::monotonic_ns());
   const nlohmann::ordered_json json = {
@@ -191,7 +191,10 @@ std::string LiveObserver::status_json() const {
       {"length_m", recorder_.totals().length_m},
       {"position_m", newest_.position_m},
       {"orientation_xyzw", newest_.orientation_xyzw},
-      {"first_pose_ms", {{"p50", ms(first.p50_ns)}, {"p99", ms(first.p99_ns)}, {"max", ms(first.max_ns)}}},
+      {"first_pose_ms",
+       {{"p50", milliseconds(first.p50_ns)},
+        {"p99", milliseconds(first.p99_ns)},
+        {"max", milliseconds(first.max_ns)}}},
       {"packets", {{"received", now_.packets.received}, {"decoded", now_.packets.decoded}}},
       {"lost", losses({}, now_, superseded_)},
       {"folder", recorder_.folder().string()}};

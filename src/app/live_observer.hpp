@@ -41,6 +41,7 @@ class LiveObserver final : public Observer {
                std::function<void()> reset);
 
   void on_sweep(const output::SweepRecord& record) override;
+  void on_map_sweep(const output::MapSweep& sweep) override { recorder_.add(sweep); }
   void on_pose(const output::PoseV1& pose) override;
   void on_mount(const ground::MountReport& report) override;
   void on_status(const IngestStatus& status) override;

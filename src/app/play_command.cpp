@@ -9,6 +9,7 @@
 #include "pago/core/error.hpp"
 #include "pago/core/histogram.hpp"
 #include "pago/core/text.hpp"
+#include "pago/core/units.hpp"
 #include "pago/pcap/pcap_source.hpp"
 #include "pago/pipeline/paced_source.hpp"
 #include "pago/platform/clock.hpp"
@@ -52,12 +53,11 @@ void play_once(const PlayOptions& options, UdpSender& sender, ProgressLine& line
 }
 
 std::string summary(const UdpSender& sender, const Played& played, double wall_s, double cpu_s) {
-  const auto ms = [](std::int64_t ns) { return static_cast<double>(ns) * 1e-6; };
   return format("sent      %llu datagrams in %.1f s, %llu not taken by the kernel\n",
                 static_cast<unsigned long long>(sender.sent()), wall_s,
                 static_cast<unsigned long long>(sender.unsent())) +
-         format("late      p50 %.2f  p99 %.2f  max %.2f ms\n", ms(played.lateness.percentile(50)),
-                ms(played.lateness.percentile(99)), ms(played.lateness.max())) +
+         format("late      p50 %.2f  p99 %.2f  max %.2f ms\n", milliseconds(played.lateness.percentile(50)),
+                milliseconds(played.lateness.percentile(99)), milliseconds(played.lateness.max())) +
          format("cpu       %.1f %% of a core\n", 100.0 * cpu_s / wall_s);
 }
 

@@ -42,6 +42,7 @@ output::RunReport report_of(const RunSummary& summary,
   report.requests = summary.requests;
   report.self_hits = summary.self_hits;
   report.unrecorded = summary.unrecorded;
+  report.unmapped = summary.unmapped;
   report.complaint = summary.failure.empty() ? summary.complaint : summary.failure;
   if (report.complaint.empty() && summary.interrupted) report.complaint = "stopped by a signal";
   return report;
@@ -99,6 +100,10 @@ std::vector<std::string> doubts(const RunSummary& summary,
   if (summary.unrecorded > 0) {
     result.push_back(std::to_string(summary.unrecorded) +
                      " sweeps and poses are missing in the files: the disk was too slow");
+  }
+  if (summary.unmapped > 0) {
+    result.push_back(std::to_string(summary.unmapped) +
+                     " keyframes are missing in the map: the disk or the machine was too slow");
   }
   if (const auto* folder = std::get_if<OpenFolder>(&source)) {
     if (const auto scans = folder->sweeps->scans_with_guessed_rings(); scans > 0) {

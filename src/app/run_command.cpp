@@ -41,6 +41,7 @@ class ReplayObserver final : public Observer {
     recorder_.add(record);
     line_.count(record);
   }
+  void on_map_sweep(const output::MapSweep& sweep) override { recorder_.add(sweep); }
   void on_status(const IngestStatus& status) override { line_.show(status.progress); }
 
  private:

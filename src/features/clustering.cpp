@@ -5,7 +5,8 @@
 #include <Eigen/Core>
 #include <bit>
 #include <cmath>
-#include <numbers>
+
+#include "pago/core/units.hpp"
 
 namespace pago::features {
 
@@ -29,7 +30,7 @@ std::int32_t obstacle(const Sweep& sweep, int ring, int column) noexcept {
 
 Clusterer::Clusterer(const ClusteringConfig& config, std::uint32_t max_returns)
     : config_(config), parent_(max_returns), segments_(max_returns), label_of_(max_returns) {
-  const double tangent = std::tan(config.join_angle_deg * std::numbers::pi / 180.0);
+  const double tangent = std::tan(config.join_angle_deg * kDegree);
   tan_join_sq_ = static_cast<float>(tangent * tangent);
 }
 

@@ -20,6 +20,7 @@
 
 #include "bin_sort.hpp"
 #include "methods.hpp"
+#include "pago/core/units.hpp"
 #include "random.hpp"
 #include "ransac_plane.hpp"
 #include "ring_chains.hpp"
@@ -63,7 +64,7 @@ class Cascaded final : public Segmenter {
     bounds_m_.fill(std::numeric_limits<double>::infinity());
     const int beams = (kNumRings + config_.sections - 1) / config_.sections;
     for (int s = 0; s + 1 < config_.sections; ++s) {
-      const double below_rad = beam_below_horizon_deg(kNumRings - beams * (s + 1)) * std::numbers::pi / 180.0;
+      const double below_rad = beam_below_horizon_deg(kNumRings - beams * (s + 1)) * kDegree;
       bounds_m_[static_cast<std::size_t>(s)] = height_m / std::tan(below_rad);
     }
   }
@@ -115,7 +116,7 @@ class Cascaded final : public Segmenter {
     const double border_m = bounds_m_[static_cast<std::size_t>(section) - 1];
     const Eigen::Vector2d meeting(border_m * std::cos(azimuth), border_m * std::sin(azimuth));
     const double step_m = std::abs(plane.height_at(meeting) - before.height_at(meeting));
-    const double min_cosine = std::cos(config_.max_angle_deg * std::numbers::pi / 180.0);
+    const double min_cosine = std::cos(config_.max_angle_deg * kDegree);
     return step_m <= config_.max_height_step_m && plane.normal.dot(before.normal) >= min_cosine;
   }
 

@@ -8,17 +8,17 @@
 // lasers in one firing, not pixels that several beams share or none meets, and a missing neighbour does not
 // undo what the pair below has said. The `uniform` projection reproduces that code, both traits included.
 #include <cmath>
-#include <numbers>
 
 #include "atan2_turns.hpp"
 #include "column_test.hpp"
 #include "methods.hpp"
+#include "pago/core/units.hpp"
 
 namespace pago::ground {
 namespace {
 
 ColumnTest column_test(const LegoConfig& c, int rows, bool missing_undoes) {
-  const double slope = std::tan(c.max_slope_deg * std::numbers::pi / 180.0);
+  const double slope = std::tan(c.max_slope_deg * kDegree);
   return {.pairs = std::min(c.ground_rings, rows - 1),
           .max_slope_sq = static_cast<float>(slope * slope),
           .min_range_sq_m2 = static_cast<float>(c.min_range_m * c.min_range_m),

@@ -10,7 +10,7 @@
 namespace pago::ground {
 namespace {
 
-constexpr float kInfinity = std::numeric_limits<float>::infinity();
+constexpr float kOutOfReach = std::numeric_limits<float>::infinity();
 
 /// Up to how many segments away the angle stays below the bound; at most half-way round.
 int search_reach(const LinefitConfig& c) {
@@ -32,7 +32,7 @@ LineLookup::LineLookup(const LinefitConfig& config)
       num_lines_(static_cast<std::size_t>(config.segments)),
       own_(static_cast<std::size_t>(config.bins) * static_cast<std::size_t>(config.segments)),
       answers_(own_.size() + 1) {
-  lines_[kNone].base_m = kInfinity;
+  lines_[kNone].base_m = kOutOfReach;
 }
 
 std::span<GroundLine> LineLookup::room(int segment) noexcept {
@@ -100,13 +100,13 @@ float LineLookup::distance_in(int segment, const RangeHeight& p) const noexcept 
     const GroundLine& candidate = lines_[1 + room_ * s + k];
     if (candidate.holds(p.range_m)) return std::fabs(candidate.above(p));
   }
-  return kInfinity;
+  return kOutOfReach;
 }
 
 float LineLookup::search(std::size_t cell, const RangeHeight& p) const noexcept {
   const int segment = static_cast<int>(cell % static_cast<std::size_t>(segments_));
   float off = distance_in(segment, p);
-  for (int k = 1; off == kInfinity && k <= search_; ++k)
+  for (int k = 1; off == kOutOfReach && k <= search_; ++k)
     off = std::fmin(distance_in(wrapped(segment + k), p), distance_in(wrapped(segment - k), p));
   return off;
 }

@@ -4,14 +4,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
+#include "pago/core/units.hpp"
 #include "points.hpp"
 
 namespace pago::ground {
 namespace {
-
-constexpr double kRadPerDeg = std::numbers::pi / 180.0;
 
 constexpr RansacRule kAnyPlane{.inlier_distance_m = 0.12, .max_iterations = 200, .confidence = 0.999};
 constexpr double kFarthestUp_deg = 30.0;  // a plane tilted more is no ground as the mount has it
@@ -81,7 +79,7 @@ std::size_t MountCheck::gather(const Sweep& sweep, Glimpse& glimpse) noexcept {
 
 void MountCheck::find_planes(const Points& points, Glimpse& glimpse) const noexcept {
   RansacRule below = kAnyPlane;
-  below.min_uprightness = std::cos(kFarthestUp_deg * kRadPerDeg);
+  below.min_uprightness = std::cos(kFarthestUp_deg * kDegree);
   constexpr std::uint64_t kSeed = 1;
   const PlaneFit ground = ransac_plane(points, below, kSeed);
   if (ground.is_valid && ground.normal.dot(ground.mean) < 0.0) {
@@ -124,7 +122,7 @@ void MountCheck::judge() noexcept {
   if (is_below) {
     const Eigen::Vector3d up = median_direction(&Glimpse::up_below);
     set_estimate(up, median([](const Glimpse& g) { return g.height_below_m; }), share_below);
-    const double tilt_deg = std::acos(std::clamp(up.z(), -1.0, 1.0)) / kRadPerDeg;
+    const double tilt_deg = std::acos(std::clamp(up.z(), -1.0, 1.0)) / kDegree;
     const bool is_high = std::abs(report_.height_m - expected_.height_m) > config_.max_height_error_m;
     report_.finding = tilt_deg > config_.max_tilt_error_deg ? MountFinding::kTilted
                       : is_high                             ? MountFinding::kWrongHeight

@@ -17,13 +17,13 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <numbers>
 
 #include "adaptive_bounds.hpp"
 #include "bin_sort.hpp"
 #include "concentric_zones.hpp"
 #include "label.hpp"
 #include "methods.hpp"
+#include "pago/core/units.hpp"
 #include "plane_grower.hpp"
 #include "wall_removal.hpp"
 
@@ -105,8 +105,7 @@ class PatchworkPlusPlus final : public Segmenter {
                         std::uint32_t from,
                         std::uint32_t until) noexcept {
     const auto deepest = static_cast<float>(-bounds_.height_m() - config_.reflection_depth_m);
-    const auto steepest =
-        static_cast<float>(std::tan(config_.reflection_angle_deg * std::numbers::pi / 180.0));
+    const auto steepest = static_cast<float>(std::tan(config_.reflection_angle_deg * kDegree));
     const auto dark = static_cast<float>(255.0 * config_.reflection_intensity);
     const auto none = static_cast<std::uint16_t>(bin_count());
     std::uint16_t* const bin_of = bins_.bin_of();

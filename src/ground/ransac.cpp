@@ -11,11 +11,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numbers>
 
 #include "bin_sort.hpp"
 #include "label.hpp"
 #include "methods.hpp"
+#include "pago/core/units.hpp"
 #include "ransac_plane.hpp"
 
 namespace pago::ground {
@@ -28,7 +28,7 @@ class RansacGround final : public Segmenter {
         rule_{.inlier_distance_m = config.inlier_distance_m,
               .max_iterations = config.max_iterations,
               .confidence = config.confidence,
-              .min_uprightness = std::cos(config.max_tilt_deg * std::numbers::pi / 180.0)},
+              .min_uprightness = std::cos(config.max_tilt_deg * kDegree)},
         level_(mount, max_returns),
         usable_(1, max_returns) {}
 

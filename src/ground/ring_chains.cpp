@@ -7,16 +7,15 @@
 #include <numbers>
 
 #include "atan2_turns.hpp"
+#include "pago/core/units.hpp"
 
 namespace pago::ground {
 namespace {
 
-constexpr double kRadPerDeg = std::numbers::pi / 180.0;
-
 /// How far apart two beams, `low` and `high` degrees below the horizon, hit ground that rises by `slope`.
 double spacing(double height_m, double low_deg, double high_deg, double slope_deg) {
   const auto range = [&](double deg) {
-    return 1.0 / (std::tan(deg * kRadPerDeg) + std::tan(slope_deg * kRadPerDeg));
+    return 1.0 / (std::tan(deg * kDegree) + std::tan(slope_deg * kDegree));
   };
   return height_m * std::abs(range(high_deg) - range(low_deg));
 }
@@ -77,7 +76,7 @@ std::uint32_t RingChains::exact_cell(const Coordinates& returns, std::uint32_t i
   const auto x_m = static_cast<double>(returns.x_m[i]), y_m = static_cast<double>(returns.y_m[i]),
              z_m = static_cast<double>(returns.z_m[i]);
   const double range_m = std::hypot(x_m, y_m);
-  const double angle_deg = std::atan2(z_m, range_m) / kRadPerDeg;
+  const double angle_deg = std::atan2(z_m, range_m) / kDegree;
   const double from_top =
       angle_deg >= -8.83 ? (2.0 - angle_deg) * 3.0 + 0.5 : 32.5 + (-8.83 - angle_deg) * 2.0;
   const bool is_inside = range_m > config_.min_range_m && range_m < config_.max_range_m && from_top > -1.0 &&

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "pago/core/units.hpp"
+
 namespace pago::hdl64 {
 
 namespace {
@@ -20,10 +22,6 @@ constexpr double kFastestSlew = 1e-3;
 constexpr double kFollow_s = 8.0;
 /// Before so many seconds have passed a slope would be jitter, and the offset needs no smoothing.
 constexpr std::size_t kSteady = 8;
-
-double seconds(std::int64_t ns) noexcept {
-  return 1e-9 * static_cast<double>(ns);
-}
 
 }  // namespace
 

@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numbers>
 
+#include "pago/core/units.hpp"
 #include "pago/hdl64/calibration.hpp"
 
 /// What a calibration's figures must satisfy, whether they come from a file or from the sensor: limits far
@@ -17,7 +17,6 @@ struct FigureLimit {
   double min, max;
   double LaserCalibration::*member;
 };
-inline constexpr double kDegree = std::numbers::pi / 180.0;  ///< in radians
 inline constexpr std::array<FigureLimit, 9> kLimits{{
     {-15.0 * kDegree, 15.0 * kDegree, &LaserCalibration::rotation_rad},
     {-30.0 * kDegree, 30.0 * kDegree, &LaserCalibration::vertical_rad},

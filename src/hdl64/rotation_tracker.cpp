@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "pago/core/units.hpp"
+
 namespace pago::hdl64 {
 
 namespace {
@@ -21,10 +23,6 @@ constexpr double kReseed_rev = 0.25 * kEncoderStep_rev;
 constexpr double kContinues_rev = 0.05;
 /// A first guess looks at no more packets than this.
 constexpr std::size_t kMaxGuesses = 64;
-
-constexpr double seconds(std::int64_t ns) {
-  return static_cast<double>(ns) * 1e-9;
-}
 
 /// To the nearest turn: [-1/2, 1/2].
 double wrapped(double revolutions) noexcept {

@@ -13,7 +13,6 @@ namespace pago::mapping {
 
 using registration::Cell;
 using registration::CellMap;
-using registration::Deskew;
 using registration::NormalEquations;
 using registration::PointCloud;
 using registration::Row;

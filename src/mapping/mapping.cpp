@@ -8,6 +8,7 @@
 #include "local_map.hpp"
 #include "pago/core/se3.hpp"
 #include "pago/core/symmetric6.hpp"
+#include "pago/core/units.hpp"
 #include "pago/registration/motion_model.hpp"
 
 namespace pago::mapping {
@@ -22,10 +23,6 @@ constexpr std::uint32_t kPruningRound_sweeps = 16;
 constexpr int kMostInsertedStanding = 5;
 /// Longer since the last sweep than this: the motion in between is not what it was.
 constexpr double kGap_s = 0.35;
-
-constexpr double seconds(std::int64_t ns) {
-  return static_cast<double>(ns) * 1e-9;
-}
 
 void load_points(const Sweep& sweep, const FixedVector<std::uint32_t>& list, PointCloud& out) noexcept {
   const std::int64_t reference_ns = sweep.motion.reference_ns - sweep.header.start_ns;
@@ -53,6 +50,7 @@ MappingStage::MappingStage(const MappingConfig& config)
       registration_(config, kMaxKeyPoints),
       start_(config),
       trust_(config),
+      keyframes_(config.keyframes),
       key_points_(kMaxKeyPoints),
       map_points_(kMaxMapPoints),
       dense_(kMaxDensePoints) {}
@@ -80,6 +78,7 @@ void MappingStage::reset() noexcept {
   map_.clear();
   trust_.restart();
   standstill_.reset();
+  keyframes_.reset();
   phase_ = Phase::kEmpty;
   refined_ = {};
   T_odom_map_.setIdentity();
@@ -108,6 +107,7 @@ void MappingStage::start(Sweep& sweep) noexcept {
   start_.begin({dense_, map_points_, key_points_}, motion.is_compensated);
   T_map_start_ = T_map_reference_;
   phase_ = Phase::kSearching;
+  since_searched_s_ = 0.0;
   refined_.twist.setZero(), refined_.acceleration.setZero();
   estimate.health = refined_.is_placed ? Health::kLost : Health::kInit;
   estimate.reason = refined_.is_placed ? HealthReason::kMapRestarted : HealthReason::kFirstSweep;
@@ -119,10 +119,18 @@ void MappingStage::start(Sweep& sweep) noexcept {
 }
 
 void MappingStage::search(const ScanMotion& motion, Estimate& estimate) noexcept {
-  start_.add({dense_, map_points_, key_points_}, motion.period_s);
+  estimate.health = Health::kInit;
+  since_searched_s_ += motion.period_s;
+  if (static_cast<int>(key_points_.size) < config_.trust.min_matches) {
+    T_map_reference_ = T_map_reference_ * exp_se3(refined_.twist * motion.period_s);
+    estimate.reason = HealthReason::kTooFewFeatures;
+    return;
+  }
+  start_.add({dense_, map_points_, key_points_}, since_searched_s_);
   const JointResult& result = start_.result();
   const Eigen::Isometry3d T_map_measured = T_map_start_ * start_.T_start_last();
-  move_to(standstill_.update(T_map_measured, result.T_last_this, result.information), motion.period_s);
+  move_to(standstill_.update(T_map_measured, result.T_last_this, result.information), since_searched_s_);
+  since_searched_s_ = 0.0;
   MotionGuess guess;
   guess.period_s = motion.period_s;
   state(motion, guess, result, HealthReason::kNone, estimate);
@@ -223,9 +231,10 @@ void MappingStage::adopt(const ScanMotion& motion,
   is_inserted_ = usable && inserted_standing_ <= kMostInsertedStanding;
 }
 
-// The acceleration is that of half a second or so: the difference of two velocities is mostly noise.
+// The acceleration is that of the last few sweeps: where a sweep is reported at its end, one that lags costs
+// more than its noise does.
 void MappingStage::move_to(const Eigen::Isometry3d& T_map_this, double period_s) noexcept {
-  constexpr double kSmoothing = 0.2;
+  constexpr double kSmoothing = 0.7;
   Vector6d twist = log_se3(T_map_reference_.inverse() * T_map_this) / period_s;
   if (standstill_.is_still()) twist.setZero(), refined_.acceleration.setZero();
   if (phase_ == Phase::kTracking)
@@ -287,6 +296,8 @@ void MappingStage::report(const ScanMotion& motion, Estimate& estimate) noexcept
   }
   refined_.is_placed = true;
   refined_.T_odom_reference = T_odom_map_ * T_map_reference_;
+  const bool belongs_to_map = is_inserted_ || (phase_ == Phase::kTracking && !config_.refine);
+  estimate.is_keyframe = belongs_to_map && keyframes_.take(refined_.T_odom_reference);
   const double reported_s = seconds(motion.reported_ns - motion.reference_ns);
   estimate.twist = refined_.twist_at(reported_s);
   estimate.T_odom_sensor_refined =

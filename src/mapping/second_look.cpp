@@ -4,9 +4,9 @@
 // What mapping tries when the first registration of a sweep is not good enough.
 #include <algorithm>
 #include <array>
-#include <numbers>
 
 #include "pago/core/se3.hpp"
+#include "pago/core/units.hpp"
 #include "pago/mapping/mapping.hpp"
 
 namespace pago::mapping {
@@ -37,7 +37,7 @@ JointResult MappingStage::relocalise(const MotionGuess& guess) noexcept {
   for (const double turn_deg : kTurns_deg) {
     for (int step = -steps; step <= steps; ++step) {
       Vector6d offset = Vector6d::Zero();
-      offset[0] = step * kStep_m, offset[5] = turn_deg * std::numbers::pi / 180.0;
+      offset[0] = step * kStep_m, offset[5] = turn_deg * kDegree;
       seed.T_last_this = guess.T_last_this * exp_se3(offset);
       const JointResult tried = registration_.align(
           map_, key_points_, seed, {config_.gate_m, config_.start.kernel_m, config_.max_iterations, kStride});

@@ -4,17 +4,16 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "local_map.hpp"
 #include "pago/core/se3.hpp"
 #include "pago/core/sweep.hpp"
 #include "pago/core/symmetric6.hpp"
+#include "pago/core/units.hpp"
 
 namespace pago::mapping {
 
 using registration::CellMap;
-using registration::Deskew;
 using registration::PointCloud;
 
 namespace {
@@ -35,7 +34,7 @@ std::vector<Vector6d> seeds_of(const StartConfig& c) {
     twist[0] = speed_m_s, twist[5] = turn_rad_s;
     seeds.push_back(twist);
   };
-  const double turn_rad_s = c.turn_rate_deg_s * std::numbers::pi / 180.0;
+  const double turn_rad_s = c.turn_rate_deg_s * kDegree;
   for (double speed_m_s = 0.0; speed_m_s <= c.max_speed_m_s; speed_m_s += c.speed_step_m_s) {
     sow(speed_m_s, 0.0);
     if (speed_m_s > 0.5 * c.max_speed_m_s) continue;

@@ -4,9 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "pago/core/se3.hpp"
+#include "pago/core/units.hpp"
 
 namespace pago::mapping {
 
@@ -23,7 +23,7 @@ HealthReason Trust::judge(const JointResult& result,
   const Vector6d correction = difference(T_last_predicted, result.T_last_this);
   const double leeway = 1.0 + failures_;
   if (correction.head<3>().norm() > leeway * c.max_correction_m ||
-      correction.tail<3>().norm() > leeway * c.max_correction_deg * std::numbers::pi / 180.0)
+      correction.tail<3>().norm() > leeway * c.max_correction_deg * kDegree)
     return HealthReason::kImplausibleMotion;
   const Vector6d twist = log_se3(result.T_last_this) / period_s;
   const double acceleration_m_s2 = (twist - last_twist).head<3>().norm() / period_s;

@@ -4,10 +4,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "pago/core/se3.hpp"
 #include "pago/core/symmetric6.hpp"
+#include "pago/core/units.hpp"
 #include "pago/registration/motion_model.hpp"
 
 namespace pago::odometry {
@@ -18,10 +18,6 @@ constexpr std::size_t kMaxSources = kNumRings * 6 * 20;
 constexpr double kNominalSweep_s = 0.1;
 /// Longer without a sweep: the sensor's clock began anew, more likely than not.
 constexpr double kLongestGap_s = 10.0;
-
-constexpr double seconds(std::int64_t ns) {
-  return static_cast<double>(ns) * 1e-9;
-}
 
 void add_to(PointCloud& cloud, const Sweep& sweep, std::uint32_t i) noexcept {
   const std::int64_t before_ns = sweep.motion.reference_ns - sweep.header.start_ns - sweep.time_offset_ns[i];
@@ -145,7 +141,7 @@ HealthReason OdometryStage::judge(const RegistrationResult& result,
   }
   const Vector6d correction = difference(T_predicted, result.T_target_source);
   if (correction.head<3>().norm() > config_.max_correction_m ||
-      correction.tail<3>().norm() > config_.max_correction_deg * std::numbers::pi / 180.0) {
+      correction.tail<3>().norm() > config_.max_correction_deg * kDegree) {
     return HealthReason::kImplausibleMotion;
   }
   return result.weak.count > 0 ? HealthReason::kNotObservable : HealthReason::kNone;

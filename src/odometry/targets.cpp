@@ -10,7 +10,6 @@ using registration::Cell;
 using registration::CellMap;
 using registration::CellMapOptions;
 using registration::CellShape;
-using registration::Deskew;
 
 namespace {
 

@@ -17,10 +17,14 @@ void put(std::string& bytes, float value) {
   for (int byte = 0; byte < 4; ++byte, word >>= 8U) bytes += static_cast<char>(word & 0xFFU);
 }
 
+float float_at(const char* bytes) noexcept {
+  std::uint32_t word = 0;
+  for (int byte = 3; byte >= 0; --byte) word = word << 8U | static_cast<std::uint8_t>(bytes[byte]);
+  return std::bit_cast<float>(word);
+}
+
 void put(std::string& bytes, const PlyPoint& point) {
-  for (const float value : {point.x_m, point.y_m, point.z_m}) put(bytes, value);
-  bytes += static_cast<char>(point.intensity);
-  bytes += static_cast<char>(point.ground);
+  append(bytes, point);
 }
 
 void put(std::string& bytes, const ColouredPoint& point) {
@@ -28,7 +32,7 @@ void put(std::string& bytes, const ColouredPoint& point) {
   for (const std::uint8_t part : point.colour) bytes += static_cast<char>(part);
 }
 
-std::string header(const char* what, std::size_t num_points, std::initializer_list<const char*> bytes) {
+std::string header(const char* what, std::uint64_t num_points, std::initializer_list<const char*> bytes) {
   std::string text = std::string("ply\nformat binary_little_endian 1.0\ncomment PaGO ") + what +
                      ", metres, z up\nelement vertex " + std::to_string(num_points) +
                      "\nproperty float x\nproperty float y\nproperty float z\n";
@@ -54,8 +58,26 @@ void write(const std::filesystem::path& file, const std::string& head, std::span
 
 }  // namespace
 
+void append(std::string& bytes, const PlyPoint& point) {
+  for (const float value : {point.x_m, point.y_m, point.z_m}) put(bytes, value);
+  bytes += static_cast<char>(point.intensity);
+  bytes += static_cast<char>(point.ground);
+}
+
+PlyPoint ply_point(const char* bytes) noexcept {
+  return {.x_m = float_at(bytes),
+          .y_m = float_at(bytes + 4),
+          .z_m = float_at(bytes + 8),
+          .intensity = static_cast<std::uint8_t>(bytes[12]),
+          .ground = static_cast<std::uint8_t>(bytes[13])};
+}
+
+std::string map_header(std::uint64_t num_points) {
+  return header("map", num_points, {"intensity", "ground"});
+}
+
 void write_ply(const std::filesystem::path& file, std::span<const PlyPoint> points) {
-  write(file, header("map", points.size(), {"intensity", "ground"}), points);
+  write(file, map_header(points.size()), points);
 }
 
 void write_ply(const std::filesystem::path& file, std::span<const ColouredPoint> points) {

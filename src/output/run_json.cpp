@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <nlohmann/json.hpp>
 
+#include "pago/core/units.hpp"
 #include "pago/output/run_report.hpp"
 
 namespace pago::output {
@@ -9,17 +10,13 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-double ms(std::int64_t ns) {
-  return static_cast<double>(ns) * 1e-6;
-}
-
 Json json_of(const LatencyHistogram& histogram) {
   const LatencySummary s = summarize(histogram);
   return {{"count", s.count},
-          {"p50", ms(s.p50_ns)},
-          {"p90", ms(s.p90_ns)},
-          {"p99", ms(s.p99_ns)},
-          {"max", ms(s.max_ns)}};
+          {"p50", milliseconds(s.p50_ns)},
+          {"p90", milliseconds(s.p90_ns)},
+          {"p99", milliseconds(s.p99_ns)},
+          {"max", milliseconds(s.max_ns)}};
 }
 
 Json json_of(const LatencyReport& latency) {
@@ -126,6 +123,10 @@ std::string run_json(const RunReport& report, const RunTotals& totals, const Dec
                      {"firings", json_of(report.firings)},
                      {"self_hits", report.self_hits},
                      {"unrecorded", report.unrecorded},
+                     {"map",
+                      {{"keyframes", totals.num_keyframes},
+                       {"points", totals.num_map_points},
+                       {"keyframes_missing", report.unmapped}}},
                      {"datagrams", json_of(report.source_counters)},
                      {"decisions", json_of(decisions, report)},
                      {"latency_ms", json_of(totals.latency)},

@@ -3,6 +3,7 @@
 #include "pago/output/run_recorder.hpp"
 
 #include "pago/core/error.hpp"
+#include "pago/core/text.hpp"
 
 namespace pago::output {
 
@@ -17,9 +18,22 @@ RunRecorder::RunRecorder(const std::filesystem::path& folder,
       first_(folder, "odometry"),
       refined_(folder, "trajectory"),
       latency_(folder / "latency.csv"),
-      trace_(static_cast<std::size_t>(config.trace_sweeps), threads) {}
+      trace_(static_cast<std::size_t>(config.trace_sweeps), threads) {
+  if (config.map.save) map_.emplace(folder, config.map);
+}
+
+void RunRecorder::add(const MapSweep& sweep) {
+  if (!map_) return;
+  map_->add(sweep);
+  totals_.num_keyframes = map_->num_keyframes();
+  totals_.num_map_points = map_->num_points();
+}
 
 void RunRecorder::add(const SweepRecord& record) {
+  if (record.header.has(kAfterReset) && map_ && map_->num_keyframes() != 0) {
+    write_map(format("map_until_%llu.ply", static_cast<unsigned long long>(newest_sequence_)));
+    map_->clear();
+  }
   totals_.add(record);
   trace_.add(record);
   decisions_.add(record);
@@ -47,6 +61,7 @@ void RunRecorder::finish(const RunReport& report) {
   if (report.requests) decisions_.close(*report.requests);
   write_at_end("run.json", run_json(report, totals_, decisions_));
   if (trace_.size() != 0) write_at_end("trace.json", trace_.json());
+  write_map("map.ply");
 }
 
 std::string RunRecorder::save_trace() {
@@ -70,11 +85,21 @@ void RunRecorder::write_at_end(const char* name, const std::string& text) {
   }
 }
 
+void RunRecorder::write_map(const std::string& name) {
+  if (!map_) return;
+  try {
+    map_->write(name);
+  } catch (const Error& error) {
+    end_complaints_.emplace_back(error.what());
+  }
+}
+
 std::vector<std::string> RunRecorder::complaints() const {
   std::vector<std::string> complaints;
   for (const std::string& complaint :
        {front_end_.complaint(), first_.complaint(), refined_.complaint(), latency_.complaint()})
     if (!complaint.empty()) complaints.push_back(complaint);
+  if (map_ && !map_->complaint().empty()) complaints.push_back(map_->complaint());
   complaints.insert(complaints.end(), end_complaints_.begin(), end_complaints_.end());
   return complaints;
 }

@@ -3,14 +3,11 @@
 #include <cinttypes>
 
 #include "pago/core/text.hpp"
+#include "pago/core/units.hpp"
 #include "pago/output/run_report.hpp"
 
 namespace pago::output {
 namespace {
-
-double ms(std::int64_t ns) {
-  return static_cast<double>(ns) * 1e-6;
-}
 
 /// ", 3 bad (2 size, 1 stamp)": the sum, and each cause that occurred.
 template <typename Cause, std::size_t N>
@@ -66,8 +63,15 @@ std::string trajectory(const RunTotals& totals) {
   return text + "\n";
 }
 
+std::string map(const RunTotals& totals) {
+  if (totals.num_keyframes == 0) return {};
+  return format("map       %" PRIu64 " points of %" PRIu64 " keyframes\n", totals.num_map_points,
+                totals.num_keyframes);
+}
+
 std::string columns(const LatencySummary& s) {
-  return format(" %8.2f %8.2f %8.2f %8.2f", ms(s.p50_ns), ms(s.p90_ns), ms(s.p99_ns), ms(s.max_ns));
+  return format(" %8.2f %8.2f %8.2f %8.2f", milliseconds(s.p50_ns), milliseconds(s.p90_ns),
+                milliseconds(s.p99_ns), milliseconds(s.max_ns));
 }
 
 std::string latency(const LatencyReport& report) {
@@ -92,7 +96,8 @@ std::string latency(const LatencyReport& report) {
 std::string run_summary(const RunReport& report,
                         const RunTotals& totals,
                         const std::filesystem::path& folder) {
-  std::string text = sweeps(report.sweeps) + packets(report) + trajectory(totals) + latency(totals.latency);
+  std::string text =
+      sweeps(report.sweeps) + packets(report) + trajectory(totals) + map(totals) + latency(totals.latency);
   if (!report.complaint.empty()) text += "problem   " + report.complaint + "\n";
   return text + "files     " + folder.string() + "\n";
 }

@@ -8,6 +8,7 @@
 
 #include "exchange.hpp"
 #include "live_watch.hpp"
+#include "map_feed.hpp"
 #include "pago/config/load.hpp"
 #include "pago/core/error.hpp"
 #include "pago/core/seqlock.hpp"
@@ -20,6 +21,13 @@
 #include "publication.hpp"
 
 namespace pago {
+
+namespace {
+
+/// Keyframes on their way to the saved map: the publisher may lag by so many.
+constexpr std::uint32_t kMapClouds = 4;
+
+}  // namespace
 
 struct Pipeline::Parts {
   Parts(const Config& c, Pace p, output::Decisions d)
@@ -59,7 +67,7 @@ struct Pipeline::Parts {
     Update next_map(mapper);
     Chain after(next_targets, next_map);
     Timed update(StageId::kUpdate, after);
-    Chain estimate(odometry, first_pose, mapping, refined_pose, update);
+    Chain estimate(odometry, first_pose, mapping, refined_pose, update, map_feed);
     const auto begin_anew = [this, resets = Recorded(decisions.resets)](Sweep& sweep) mutable noexcept {
       // Relaxed: a wish, which guards no data.
       const bool is_asked = is_reset_requested.exchange(false, std::memory_order_relaxed);
@@ -69,9 +77,9 @@ struct Pipeline::Parts {
       mapper.reset();
     };
     const auto finish = [this](Sweep* sweep) noexcept {
-      if (sweep == nullptr) return outlet.send({News::Kind::kEnd, {}, {}});
+      if (sweep == nullptr) return outlet.send({});
       count_fate(*sweep);
-      outlet.send({News::Kind::kSweep, {}, output::make_record(*sweep)});
+      outlet.send({News::Kind::kSweep, {}, output::make_record(*sweep), nullptr});
       push(freed, sweep);
     };
 
@@ -99,6 +107,7 @@ struct Pipeline::Parts {
     summary.sweeps.partial = fates.partial;
     summary.sweeps.dropped[static_cast<std::size_t>(SweepDrop::kSuperseded)] = fates.dropped_total();
     summary.unrecorded = outlet.lost();
+    summary.unmapped = map_feed.lost();
     summary.requests = exchange.requests();
   }
 
@@ -127,10 +136,15 @@ struct Pipeline::Parts {
     while (true) {
       const bool has_news = news.pop_wait(item, kTick_ns);
       if (has_news && item.kind == News::Kind::kEnd) break;
-      if (thrown) continue;  // let the threads come to their end
+      const bool has_map_sweep = has_news && item.kind == News::Kind::kMapSweep;
+      if (thrown) {  // let the threads come to their end
+        if (has_map_sweep) map_feed.give_back(item.map_sweep);
+        continue;
+      }
       try {
         if (has_news && item.kind == News::Kind::kPose) observer.on_pose(item.pose);
         if (has_news && item.kind == News::Kind::kSweep) observer.on_sweep(item.record);
+        if (has_map_sweep) observer.on_map_sweep(*item.map_sweep);
         if (mount.finding == ground::MountFinding::kPending && verdict.try_load(mount))
           observer.on_mount(mount);
         if (IngestStatus now; status.try_load(now)) observer.on_status(now);
@@ -138,6 +152,7 @@ struct Pipeline::Parts {
         thrown = std::current_exception();
         is_abandoned.store(true, std::memory_order_relaxed);
       }
+      if (has_map_sweep) map_feed.give_back(item.map_sweep);
     }
     if (thrown) std::rethrow_exception(thrown);
   }
@@ -168,6 +183,8 @@ struct Pipeline::Parts {
   Seqlock<ground::MountReport> verdict;
   RingExchange exchange{ring, freed, parts, pace, Recorded(decisions.unmet)};
   Outlet outlet{news, /*waits=*/pace == Pace::kReplay};
+  MapFeed map_feed{config.output.map.save ? kMapClouds : 0, mapper.refined(), outlet,
+                   /*waits=*/pace == Pace::kReplay};
   SweepCounters fates;  // of the sweeps that came through
   bool has_run = false;
   std::atomic<bool> is_reset_requested{false};

@@ -6,6 +6,7 @@
 
 #include "pago/core/seqlock.hpp"
 #include "pago/ground/ground_stage.hpp"
+#include "pago/output/map_sweep.hpp"
 #include "pago/output/pose_board.hpp"
 #include "pago/output/sweep_record.hpp"
 #include "pago/platform/clock.hpp"
@@ -15,10 +16,11 @@ namespace pago {
 
 /// What travels to the publisher's thread.
 struct News {
-  enum class Kind : std::uint8_t { kPose, kSweep, kEnd };
+  enum class Kind : std::uint8_t { kPose, kSweep, kMapSweep, kEnd };
   Kind kind = Kind::kEnd;
-  output::PoseV1 pose;         // kPose
-  output::SweepRecord record;  // kSweep
+  output::PoseV1 pose;                    // kPose
+  output::SweepRecord record;             // kSweep
+  output::MapSweep* map_sweep = nullptr;  // kMapSweep; lent
 };
 
 /// The estimate thread's way to the publisher. A replay waits while it is full; live, a publisher that is
@@ -29,8 +31,14 @@ class Outlet {
   Outlet(platform::Channel<News>& news, bool waits) noexcept : news_(news), waits_(waits) {}
 
   void send(const News& news) noexcept {
-    if (waits_ || news.kind == News::Kind::kEnd) return push(news_, news);
-    if (!news_.try_push(news)) ++lost_;
+    if (news.kind == News::Kind::kEnd) return push(news_, news);
+    if (!try_send(news)) ++lost_;
+  }
+  /// False, live, if there is no room.
+  bool try_send(const News& news) noexcept {
+    if (!waits_) return news_.try_push(news);
+    push(news_, news);
+    return true;
   }
   /// [after the end]
   std::uint64_t lost() const noexcept { return lost_; }
@@ -72,7 +80,7 @@ class PublishPose {
   void tell() noexcept {
     last_.published_ns = platform::realtime_ns();
     board_->publish(last_);
-    outlet_.send({.kind = News::Kind::kPose, .pose = last_, .record = {}});
+    outlet_.send({.kind = News::Kind::kPose, .pose = last_, .record = {}, .map_sweep = nullptr});
   }
 
   output::PoseKind kind_;

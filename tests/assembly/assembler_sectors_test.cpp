@@ -30,7 +30,7 @@ TEST_CASE("sectors cover the sweep, and none changes after it was handed on", "[
         for (std::uint32_t ring = 0; ring < kNumRings; ++ring) {
           std::int32_t& kept = cells[ring * kMaxColumns + column];
           const std::int32_t now = image.at(static_cast<int>(ring), static_cast<int>(column));
-          if (column < columns_until) REQUIRE(now == kept);
+          if (column < columns_until) REQUIRE_EACH(now == kept);
           kept = now;
         }
       columns_until = part.last ? 0 : part.columns_until;

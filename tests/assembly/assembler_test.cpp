@@ -27,11 +27,12 @@ TEST_CASE("a return's column is its firing's, moved against its laser's rotCorre
       const int laser = static_cast<int>(sweep.x_m[i]), firing = static_cast<int>(sweep.y_m[i]);
       const double rotation_deg = ((laser * 37) % 201 - 100) * 0.1;
       const int column = firing - first_firing - static_cast<int>(std::lround(rotation_deg / step_deg));
-      REQUIRE(sweep.column[i] == (column % columns + columns) % columns);
-      REQUIRE(sweep.ring[i] == (laser * 29 + 5) % kLasers);
-      REQUIRE(sweep.intensity[i] == static_cast<std::uint8_t>(firing));
-      REQUIRE(sweep.z_m[i] == 1.5F);
-      REQUIRE(sweep.time_offset_ns[i] == (firing - first_firing) * kPeriod + hdl64::laser_time_ns(laser));
+      REQUIRE_EACH(sweep.column[i] == (column % columns + columns) % columns);
+      REQUIRE_EACH(sweep.ring[i] == (laser * 29 + 5) % kLasers);
+      REQUIRE_EACH(sweep.intensity[i] == static_cast<std::uint8_t>(firing));
+      REQUIRE_EACH(sweep.z_m[i] == 1.5F);
+      REQUIRE_EACH(sweep.time_offset_ns[i] ==
+                   (firing - first_firing) * kPeriod + hdl64::laser_time_ns(laser));
     }
   };
   rig.add(head, 0, 6000);
@@ -125,7 +126,7 @@ TEST_CASE("a partial sweep's columns keep their angles", "[assembly][assembler]"
       const int laser = static_cast<int>(sweep.x_m[i]), firing = static_cast<int>(sweep.y_m[i]);
       const double azimuth_deg = 90.0 + firing * 0.1728 - ((laser * 37) % 201 - 100) * 0.1;
       const double off = sweep.column[i] - azimuth_deg / 0.1728;
-      REQUIRE(std::abs(std::remainder(off, columns)) < 2.1);
+      REQUIRE_EACH(std::abs(std::remainder(off, columns)) < 2.1);
     }
   };
   rig.add(head, 0, 1600);

@@ -39,9 +39,9 @@ struct IngestRig {
     check_identities();
   }
   void check_identities() const {
-    REQUIRE(ingest.packets().balanced());
-    REQUIRE(ingest.firings().balanced());
-    REQUIRE(ingest.sweeps().balanced());
+    REQUIRE_EACH(ingest.packets().balanced());
+    REQUIRE_EACH(ingest.firings().balanced());
+    REQUIRE_EACH(ingest.sweeps().balanced());
   }
   const SweepHeader& header(std::size_t sweep) const { return collector.sweeps.at(sweep).header; }
   std::uint64_t bad(PacketFault fault) const { return ingest.packets().bad[static_cast<std::size_t>(fault)]; }

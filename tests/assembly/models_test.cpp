@@ -87,9 +87,9 @@ TEST_CASE("the weaker of two returns is kept beside the image, with the stronger
       const std::uint32_t firing = i / 128;
       const bool is_other = i % 128 >= 64;
       const float range_m = std::hypot(sweep.x_m[i], sweep.y_m[i]);
-      REQUIRE(range_m == Approx(is_other ? 10.0 : 6.0));
-      REQUIRE(sweep.intensity[i] == (is_other ? 50 : 100));
-      REQUIRE(sweep.echo[i] == (is_other ? kNotStrongest : kNotLast));
+      REQUIRE_EACH(range_m == Approx(is_other ? 10.0 : 6.0));
+      REQUIRE_EACH(sweep.intensity[i] == (is_other ? 50 : 100));
+      REQUIRE_EACH(sweep.echo[i] == (is_other ? kNotStrongest : kNotLast));
       REQUIRE(sweep.ring[i] == i % 64);
       REQUIRE(sweep.column[i] == firing);
       const std::int32_t cell = sweep.range_image.at(sweep.ring[i], sweep.column[i]);

@@ -66,6 +66,21 @@ TEST_CASE("covered for a while, the pose goes on at constant velocity, says so, 
   REQUIRE(error_of(drive, T_world_first).head<3>().norm() < 0.05);
 }
 
+TEST_CASE("sweeps without anything to see do not take part in the start", "[mapping][stage]") {
+  StreetDrive drive;
+  const Vector6d speed = forward(9.0);
+  drive.next(speed);
+  const Eigen::Isometry3d T_world_first = drive.T_world_start;
+  for (int i = 0; i < 12 && drive.sweep.estimate.health == Health::kInit; ++i) {
+    drive.next(speed);
+    if (i > 2) continue;
+    REQUIRE(drive.next_blind(speed).health == Health::kInit);
+    REQUIRE(drive.sweep.estimate.reason == HealthReason::kTooFewFeatures);
+  }
+  REQUIRE(drive.sweep.estimate.health == Health::kOk);
+  REQUIRE(error_of(drive, T_world_first).head<3>().norm() < 0.3);
+}
+
 TEST_CASE("after two seconds without a sweep the pose is found in the map", "[mapping][stage]") {
   StreetDrive drive;
   const Vector6d speed = forward(15.0), slower = forward(12.0);
@@ -91,6 +106,24 @@ TEST_CASE("where nothing is found again a new map is begun, and it is said", "[m
   REQUIRE((T_before.inverse() * drive.refined()).translation().x() == Approx(2.0).margin(0.2));
   for (int i = 0; i < 10 && drive.sweep.estimate.health != Health::kOk; ++i) drive.next(forward(5.0));
   REQUIRE(drive.sweep.estimate.health == Health::kOk);
+}
+
+TEST_CASE("sweeps far enough from the last keyframe become keyframes, once the map fits",
+          "[mapping][stage]") {
+  StreetDrive drive;
+  std::vector<Eigen::Isometry3d> keyframes;
+  for (int i = 0; i < 30; ++i) {
+    const Estimate& estimate = drive.next(forward(4.0));
+    if (!estimate.is_keyframe) continue;
+    REQUIRE(estimate.health == Health::kOk);
+    keyframes.push_back(drive.refined());
+  }
+  REQUIRE(keyframes.size() >= 6);
+  for (std::size_t i = 1; i < keyframes.size(); ++i) {
+    const double apart_m = (keyframes[i - 1].inverse() * keyframes[i]).translation().norm();
+    CHECK(apart_m > 0.99);
+    CHECK(apart_m < 1.45);  // 0.4 m per sweep
+  }
 }
 
 TEST_CASE("partial sweeps get no pose and leave no trace", "[mapping][stage]") {

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "pago/pipeline/pipeline.hpp"
 
+#include <algorithm>
 #include <cstring>
 #include <stdexcept>
 #include <vector>
@@ -86,6 +87,35 @@ class ScanSource final : public SweepSource {
 };
 
 }  // namespace
+
+TEST_CASE("keyframes reach the observer in order, ahead of their records, and only if a map is wanted",
+          "[pipeline]") {
+  struct MapCollector final : Observer {
+    void on_sweep(const output::SweepRecord& record) override { newest = record.header.sequence; }
+    void on_map_sweep(const output::MapSweep& sweep) override {
+      CHECK(sweep.sequence > newest);
+      CHECK(sweep.size > 1000);
+      keyframes.push_back(sweep.sequence);
+    }
+    std::uint64_t newest = 0;
+    std::vector<std::uint64_t> keyframes;
+    std::atomic<bool> stop{false};
+  };
+  Vector6d twist = Vector6d::Zero();
+  twist[0] = 8.0;
+  const std::vector<test::PacketBytes> packets = test::drive_packets(twist, 14);
+  for (const bool is_wanted : {true, false}) {
+    Config config = small_config();
+    config.output.map.save = is_wanted;
+    MapCollector collector;
+    test::MemorySource source(packets, 64);
+    Pipeline pipeline(config);
+    const RunSummary summary = pipeline.run(source, test::ideal_calibration(), collector, collector.stop);
+    CHECK(summary.unmapped == 0);
+    CHECK(std::is_sorted(collector.keyframes.begin(), collector.keyframes.end()));
+    CHECK(collector.keyframes.empty() != is_wanted);
+  }
+}
 
 TEST_CASE("packets of a drive come out as its trajectory", "[pipeline]") {
   Collector collector;

@@ -9,3 +9,9 @@ using Catch::Approx;
 #else
 #include <catch2/catch.hpp>
 #endif
+
+/// REQUIRE for loops over returns or packets, of which there are millions: an assertion only where it fails.
+#define REQUIRE_EACH(...)                     \
+  do {                                        \
+    if (!(__VA_ARGS__)) REQUIRE(__VA_ARGS__); \
+  } while (false)

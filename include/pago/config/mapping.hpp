@@ -83,11 +83,24 @@ void describe(Visitor& v, TrustConfig& c) {
   v("lost_after", c.lost_after, within(1, 1000), "predicted sweeps in a row until the state is LOST");
 }
 
+/// [mapping.keyframes] The sweeps that stand for the drive: what the saved map is made of.
+struct KeyframesConfig {
+  double distance_m = 1.0;
+  double angle_deg = 10.0;
+};
+
+template <typename Visitor>
+void describe(Visitor& v, KeyframesConfig& c) {
+  v("distance_m", c.distance_m, within(0.0, 1000.0), "a keyframe is at least so far from the last one");
+  v("angle_deg", c.angle_deg, within(0.0, 180.0), "or turned by so much");
+}
+
 /// [mapping] Scan-to-map registration: the refined pose.
 struct MappingConfig {
   CellsConfig cells;
   StartConfig start;
   TrustConfig trust;
+  KeyframesConfig keyframes;
   bool refine = true;
   int max_iterations = 8;
   double gate_m = 1.0;
@@ -104,6 +117,7 @@ void describe(Visitor& v, MappingConfig& c) {
   v.section("cells", c.cells, "the local map");
   v.section("start", c.start, "the motion that the sensor is switched on in");
   v.section("trust", c.trust, "when a registration is not believed");
+  v.section("keyframes", c.keyframes, "the sweeps that the saved map is made of");
   v("refine", c.refine, "register sweeps to the map; false: refined poses are the first poses");
   v("max_iterations", c.max_iterations, within(1, 100), "most rounds of matching and solving in a sweep");
   v("gate_m", c.gate_m, within(0.05, 10.0), "points farther from the plane are not matched");

@@ -43,8 +43,24 @@ void describe(Visitor& v, ControlConfig& c) {
     "Unix socket by which `pago ctl` talks to this run; empty: the user's usual one; none: not at all");
 }
 
+/// [output.map] The map that a run leaves: map.ply.
+struct SavedMapConfig {
+  bool save = true;
+  double voxel_m = 0.1;
+  int max_points_in_memory = 2'000'000;
+};
+
+template <typename Visitor>
+void describe(Visitor& v, SavedMapConfig& c) {
+  v("save", c.save, "whether there is one");
+  v("voxel_m", c.voxel_m, within(0.01, 10.0), "it has one point in each cube of this side");
+  v("max_points_in_memory", c.max_points_in_memory, within(10'000, 1'000'000'000),
+    "beyond, places that were not seen for longest wait on the disk; about 70 bytes each");
+}
+
 /// [output]
 struct OutputConfig {
+  SavedMapConfig map;
   std::string folder = "results";
   double flush_interval_s = 1.0;
   int trace_sweeps = 300;
@@ -52,6 +68,7 @@ struct OutputConfig {
 
 template <typename Visitor>
 void describe(Visitor& v, OutputConfig& c) {
+  v.section("map", c.map, "the map that a run leaves: map.ply");
   v("folder", c.folder, "each run makes a folder of its own in this one");
   v("flush_interval_s", c.flush_interval_s, within(0.0, 3600.0),
     "poses reach the disk at least this often; 0: each at once");

@@ -57,7 +57,8 @@ struct Estimate {
   Vector6d twist = Vector6d::Zero();
   Health health = Health::kInit;
   HealthReason reason = HealthReason::kFirstSweep;
-  bool has_pose = false;  ///< false for partial sweeps at either end of a run, superseded and refused ones
+  bool is_keyframe = false;  ///< the saved map keeps this sweep
+  bool has_pose = false;     ///< false for partial sweeps at either end of a run, superseded and refused ones
 
   // Scan to scan.
   std::uint16_t rounds = 0;

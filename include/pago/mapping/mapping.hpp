@@ -3,6 +3,7 @@
 #pragma once
 
 #include "pago/core/stage.hpp"
+#include "pago/mapping/keyframes.hpp"
 #include "pago/mapping/standstill.hpp"
 #include "pago/mapping/start_search.hpp"
 #include "pago/mapping/trust.hpp"
@@ -65,6 +66,7 @@ class MappingStage {
   StartSearch start_;
   Trust trust_;
   Standstill standstill_;
+  Keyframes keyframes_;
   registration::PointCloud key_points_, map_points_, dense_;
 
   Phase phase_ = Phase::kEmpty;
@@ -74,6 +76,7 @@ class MappingStage {
   Eigen::Isometry3d T_odom_map_ = Eigen::Isometry3d::Identity();
   Eigen::Isometry3d T_map_start_ = Eigen::Isometry3d::Identity();
   Eigen::Isometry3d T_map_reference_ = Eigen::Isometry3d::Identity();
+  double since_searched_s_ = 0.0;  // since the last sweep that took part in the search
   bool is_placed_ = false;
   int predicted_in_a_row_ = 0;  // neither the map nor the last sweep told the motion
   int unconfirmed_ = 0;         // sweeps in a row with a direction that nothing measured

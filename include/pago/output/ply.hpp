@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <span>
+#include <string>
 
 #include "pago/output/picture.hpp"
 
@@ -16,6 +17,14 @@ struct PlyPoint {
   std::uint8_t intensity = 0;
   std::uint8_t ground = 0;  ///< kGround or kNonGround
 };
+
+/// How a PlyPoint is stored; and back.
+inline constexpr std::size_t kPlyPointBytes = 14;
+void append(std::string& bytes, const PlyPoint& point);
+PlyPoint ply_point(const char* bytes) noexcept;
+
+/// What a map's file begins with; its points follow.
+std::string map_header(std::uint64_t num_points);
 
 /// Writes a binary little-endian PLY with the vertex properties x y z (float) intensity ground (uchar): 14
 /// bytes per point. Error when the file cannot be made or written. [set-up]

@@ -4,12 +4,14 @@
 
 #include <chrono>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "pago/config/output.hpp"
 #include "pago/output/decisions.hpp"
 #include "pago/output/latency.hpp"
+#include "pago/output/map_writer.hpp"
 #include "pago/output/run_report.hpp"
 #include "pago/output/trace.hpp"
 #include "pago/output/trajectory_writer.hpp"
@@ -22,6 +24,7 @@ namespace pago::output {
 ///   front_end.tum, .kitti    products of scan-to-scan increments alone, the same sweeps: for studies
 ///   latency.csv              every sweep
 ///   trace.json, run.json     at the end
+///   map.ply                  at the end, of the keyframes; a map that a reset ended is map_until_N.ply
 /// [publisher thread] all of it; blocks on the disk. A full disk never ends a run: see complaints().
 class RunRecorder {
  public:
@@ -31,11 +34,13 @@ class RunRecorder {
               StageThreads threads = kDefaultThreads);
 
   void add(const SweepRecord& record);
+  /// A keyframe, for the map; before the record of its sweep.
+  void add(const MapSweep& sweep);
 
   /// Hands everything so far to the operating system; add() does so at the configured interval.
   void flush() noexcept;
 
-  /// Writes run.json and trace.json, and flushes the rest. May be called again with a newer report.
+  /// Writes run.json, trace.json and map.ply, and flushes the rest. May be called again with a newer report.
   void finish(const RunReport& report);
 
   /// Writes the last sweeps' stages to trace_N.json, N being the newest sweep; returns the file, or nothing
@@ -52,6 +57,7 @@ class RunRecorder {
   using Clock = std::chrono::steady_clock;
 
   void write_at_end(const char* name, const std::string& text);
+  void write_map(const std::string& name);
 
   std::filesystem::path folder_;
   Clock::duration flush_interval_;
@@ -59,6 +65,7 @@ class RunRecorder {
   TrajectoryWriter front_end_, first_, refined_;
   LatencyCsv latency_;
   Trace trace_;
+  std::optional<MapWriter> map_;
   DecisionLog decisions_;
   std::uint64_t newest_sequence_ = 0;
   RunTotals totals_;

@@ -24,8 +24,9 @@ struct RunTotals {
   std::uint64_t partial = 0, superseded = 0;  ///< sweeps without a pose, by fate
   double length_m = 0.0;  ///< of the refined poses' path; the way back to a reset's new origin is none
   std::int64_t first_stamp_ns = 0, last_stamp_ns = 0;
-  std::array<std::uint64_t, 4> health{};  ///< poses by Health
-  TrajectoryHash hash;                    ///< over each pose's `first` and `refined` numbers
+  std::array<std::uint64_t, 4> health{};                ///< poses by Health
+  std::uint64_t num_keyframes = 0, num_map_points = 0;  ///< in the saved map
+  TrajectoryHash hash;                                  ///< over each pose's `first` and `refined` numbers
   LatencyReport latency;
 
   /// Sweeps without a pose count for latency only.
@@ -51,6 +52,7 @@ struct RunReport {
   std::optional<std::uint64_t> requests;  ///< of the assembler for an empty sweep, when the run is over
   std::uint64_t self_hits = 0;            ///< returns on the vehicle's own body, left out
   std::uint64_t unrecorded = 0;           ///< live: sweeps and poses that are missing in the files
+  std::uint64_t unmapped = 0;             ///< live: keyframes that are missing in the map
   double wall_s = 0.0;                    ///< how long the run took
   std::string complaint;                  ///< empty, or why the run ended before its source did
 };

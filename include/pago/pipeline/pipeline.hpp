@@ -13,6 +13,7 @@
 #include "pago/ground/mount_report.hpp"
 #include "pago/hdl64/calibration.hpp"
 #include "pago/output/decisions.hpp"
+#include "pago/output/map_sweep.hpp"
 #include "pago/output/pose_board.hpp"
 #include "pago/output/sweep_record.hpp"
 #include "pago/pipeline/run_status.hpp"
@@ -37,6 +38,9 @@ class Observer {
   virtual ~Observer() = default;
   /// A sweep has gone through all stages. In order, one call for each sweep that was handed on.
   virtual void on_sweep(const output::SweepRecord& record) = 0;
+  /// A keyframe, before the record of its sweep; valid during the call alone. Not called when no map is to be
+  /// saved ([output.map]).
+  virtual void on_map_sweep(const output::MapSweep&) {}
   /// Live runs: a pose was published (first and refined, for each sweep that has one).
   virtual void on_pose(const output::PoseV1&) {}
   /// Once, when the first sweeps have shown whether the ground is where the mount has it.
@@ -56,6 +60,7 @@ struct RunSummary {
   std::uint64_t requests = 0;           ///< of the assembler for an empty sweep
   std::uint64_t self_hits = 0;   ///< returns that were the vehicle's own body and left out; packet runs only
   std::uint64_t unrecorded = 0;  ///< live: sweeps and poses that the observer was too slow for
+  std::uint64_t unmapped = 0;    ///< live: keyframes that the observer was too slow for
   std::string sensor;            ///< what the stream came from, e.g. "HDL-64E S2/S3, single return"
   std::vector<std::string> threads;  ///< what each thread asked for and got
   ground::MountReport mount;         ///< whether the ground was where the mount says
