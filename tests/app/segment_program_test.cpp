@@ -43,7 +43,7 @@ TEST_CASE("labelled scans are scored by both protocols, with a page", "[app][seg
         fs::file_size(scans / "velodyne" / "000000.bin") / 16);
   CHECK(count_lines(read_text(latest / "protocol_a.csv")) == 3);
   CHECK(count_lines(read_text(latest / "protocol_b.csv")) == 3);
-  CHECK_THAT(read_text(latest / "index.html"), Contains("Precision, %") && Contains("Protocol B"));
+  CHECK_THAT(read_text(latest / "index.html"), Contains("Precision over the drive") && Contains("protocol B (Patchwork++)"));
 }
 
 TEST_CASE("what cannot be segmented is refused in one line", "[app][segment]") {
