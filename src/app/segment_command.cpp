@@ -184,7 +184,7 @@ int segment_command(SegmentOptions options) {
 
   std::vector<std::string> complaints{results.complaint, reader.failure()};
   if (const auto* open = std::get_if<OpenPackets>(&source)) complaints.push_back(open->packets->complaint());
-  complaints.push_back(to_text(methods.front().stage.mount_report(), config.mount));
+  complaints.push_back(to_text(methods.front().stage.mount_report().concluded(), config.mount));
   for (const std::string& complaint : complaints)
     if (!complaint.empty()) std::cerr << "pago: " << complaint << '\n';
   return reader.failure().empty() ? 0 : 1;

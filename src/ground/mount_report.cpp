@@ -40,8 +40,12 @@ std::string to_text(const MountReport& r, const Mount& mount) {
   switch (r.finding) {
     case MountFinding::kPending:
     case MountFinding::kAgrees:
-    case MountFinding::kUnseen:
       return {};
+    case MountFinding::kUnseen:
+      return format(
+          "mount.roll_rad is %.3f and mount.pitch_rad %.3f: a sensor mounted so does not see the ground near "
+          "by, and [mount] could not be checked",
+          mount.roll_rad, mount.pitch_rad);
     case MountFinding::kWrongHeight:
       return format(
           "the ground is %.2f m below the sensor, but mount.height_m is %.2f; try --set mount.height_m=%.2f",

@@ -34,6 +34,7 @@ struct HeightEstimateConfig {
   int sectors = 20;
   double max_linearity = 0.9;
   double noise_bound_m = 0.2;
+  double max_change_m = 1.0;
 };
 
 template <typename Visitor>
@@ -49,6 +50,9 @@ void describe(Visitor& v, HeightEstimateConfig& c) {
     "planes whose returns lie on a line more than this are left out (code: 0.9)");
   v("noise_bound_m", c.noise_bound_m, within(0.001, 5.0),
     "planes agree on a height within this, the more loosely the more linear they are (code: 0.2)");
+  v("max_change_m", c.max_change_m, within(0.0, 10.0),
+    "an estimate that differs more from mount.height_m is not taken: of a sensor upside down it is of "
+    "something else than the ground (code: no bound)");
 }
 
 }  // namespace pago
