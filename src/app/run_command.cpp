@@ -179,6 +179,7 @@ int run_command(const RunOptions& options) {
   recorder->finish(report);
   const bool came_to_nothing = !summary.failure.empty() && summary.sweeps.opened == 0;
   if (!came_to_nothing) std::cout << output::run_summary(report, recorder->totals(), results.folder);
+  std::cout << height_line(summary.mount, config.mount);
 
   const auto add = [&complaints](const std::vector<std::string>& more) {
     complaints.insert(complaints.end(), more.begin(), more.end());

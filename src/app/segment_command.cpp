@@ -179,6 +179,7 @@ int segment_command(SegmentOptions options) {
   if (done.sweeps == 0)
     throw Error(options.source, reader.failure().empty() ? "holds no sweep" : reader.failure());
   print_shares(methods, done);
+  std::cout << height_line(methods.front().stage.mount_report(), config.mount);
   if (judge.num_frames() > 0) judge.report(options.source, results.folder);
   std::cout << "files     " << results.folder.string() << '\n';
 

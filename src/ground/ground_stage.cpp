@@ -23,11 +23,13 @@ struct GroundStage::Parts {
   bool waits_for_height() const noexcept { return estimate.has_value() && !is_estimated; }
 
   void estimate_height(const Sweep& sweep) noexcept {
+    if (!sweep.header.is_posed() || sweep.header.has(kIncomplete)) return;
     const std::optional<double> found_m = (*estimate)(sweep);
     if (!found_m || std::abs(*found_m - mount_height_m) > max_change_m) return;
     is_estimated = true;
     height_m = *found_m;
     segmenter->set_height(height_m);
+    check.note_height(height_m);
   }
 
   std::unique_ptr<Segmenter> segmenter;

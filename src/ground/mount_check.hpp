@@ -23,6 +23,9 @@ class MountCheck {
   /// Whole sweeps; others are passed over. Does nothing once there is a verdict.
   void look_at(const Sweep& sweep) noexcept;
 
+  /// For the report: the estimated height that the method works with.
+  void note_height(double height_m) noexcept { report_.set_height_m = height_m; }
+
   bool is_pending() const noexcept { return report_.finding == MountFinding::kPending; }
   const MountReport& report() const noexcept { return report_; }
 

@@ -71,4 +71,10 @@ std::string to_text(const MountReport& r, const Mount& mount) {
   return {};
 }
 
+std::string height_line(const MountReport& r, const Mount& mount) {
+  if (!(r.set_height_m > 0.0)) return {};
+  return format("height    %.2f m, estimated for the ground method; mount.height_m is %.2f\n", r.set_height_m,
+                mount.height_m);
+}
+
 }  // namespace pago::ground

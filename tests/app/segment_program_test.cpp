@@ -44,6 +44,25 @@ TEST_CASE("labelled scans are scored by both protocols, with a page", "[app][seg
   CHECK(count_lines(read_text(latest / "protocol_a.csv")) == 3);
   CHECK(count_lines(read_text(latest / "protocol_b.csv")) == 3);
   CHECK_THAT(read_text(latest / "index.html"), Contains("Precision, %") && Contains("Protocol B"));
+  CHECK(outcome.err == "");
+}
+
+TEST_CASE("a mount that one scan contradicts is warned about at its end", "[app][segment]") {
+  PAGO_DATA_OR_SKIP(scans, "kitti/semantickitti_single");
+  const StreetFolder folder(1);
+  const auto complaint_with = [&](const std::string& settings) {
+    return run_pago(folder.path(), "segment '" + scans.string() + "' " + settings).err;
+  };
+  CHECK_THAT(complaint_with("--set mount.height_m=0.9"), Contains("mount.height_m is 0.90; try"));
+  CHECK_THAT(complaint_with("--set mount.roll_rad=3.1416"), Contains("upside down"));
+  CHECK_THAT(complaint_with("--set mount.roll_rad=1.5708"), Contains("x forward, y left, z up"));
+}
+
+TEST_CASE("an estimated height is shown", "[app][segment]") {
+  const StreetFolder folder(2);
+  const Outcome outcome = run_pago(
+      folder.path(), "segment street.pcap --set mount.height_m=1.6 --set ground.height.enabled=true");
+  CHECK_THAT(outcome.out, Contains("height    1.7") && Contains("mount.height_m is 1.60"));
 }
 
 TEST_CASE("what cannot be segmented is refused in one line", "[app][segment]") {

@@ -36,6 +36,8 @@ struct MountReport {
   double height_m = 0.0, roll_rad = 0.0, pitch_rad = 0.0;
   double ground_share = 0.0;  ///< part of the near returns on that plane
   double share_above = 0.0;   ///< part of all returns that are higher than the sensor
+  /// Of the sensor as [ground.height] found it and the method works with it; 0 while it has not, or is off.
+  double set_height_m = 0.0;
 
   bool is_warning() const noexcept { return finding > MountFinding::kUnseen; }
   /// At the end of a recording: the verdict of what was seen, if fewer sweeps came than were to be looked at.
@@ -49,5 +51,8 @@ struct MountReport {
 /// One sentence for the user, what is wrong and what to set; that nothing could be checked if it is kUnseen;
 /// empty if there is nothing to say. [any but the hot path]
 std::string to_text(const MountReport& report, const Mount& mount);
+
+/// One line about the estimated height, with its line feed; empty while there is none. [any but the hot path]
+std::string height_line(const MountReport& report, const Mount& mount);
 
 }  // namespace pago::ground

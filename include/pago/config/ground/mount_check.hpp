@@ -40,7 +40,8 @@ struct HeightEstimateConfig {
 template <typename Visitor>
 void describe(Visitor& v, HeightEstimateConfig& c) {
   v("enabled", c.enabled,
-    "whether the height is taken from the first sweep in which it can be seen; false: mount.height_m holds");
+    "whether the height is taken from the first whole sweep in which it can be seen; false: mount.height_m "
+    "holds");
   v("max_range_m", c.max_range_m, within(3.0, 50.0),
     "horizontal; looked at are returns up to this range, up to twice and four times as far if that shows no "
     "ground "
