@@ -121,9 +121,10 @@ Progress progress_of(const OpenSource& source) {
 }
 
 OpenSource open_recording(const SegmentOptions& options, Config& config) {
-  OpenSource source = open_source(options.source, config);
-  if (const auto* open = std::get_if<OpenPackets>(&source); open != nullptr && open->is_live)
+  // Before it is opened: a live sensor's own calibration would be waited for.
+  if (is_live_name(options.source))
     throw Error(options.source, "is live", "segment a recording: a capture, KITTI scans or sim:urban");
+  OpenSource source = open_source(options.source, config);
   for (const std::string& method : options.methods) require_labels(source, options.source, method);
   return source;
 }

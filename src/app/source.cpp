@@ -168,7 +168,7 @@ OpenPackets open_simulated(const std::string& drive, Config&) {
 
 OpenSource open(const std::string& name, Config& config) {
   if (const auto drive = after(name, "sim")) return open_simulated(*drive, config);
-  if (name.starts_with("udp:")) return open_live(name, config);
+  if (is_live_name(name)) return open_live(name, config);
   if (const auto file = after(name, "pcap")) return open_capture(*file, config);
   const auto folder = after(name, "kitti");
   std::error_code unknown;
@@ -201,6 +201,10 @@ std::optional<hdl64::Calibration> calibration_for(const fs::path& capture,
   }
   if (file == kSensorsOwn) return std::nullopt;
   return hdl64::load_calibration(file, config.hdl64.vertical_offset);
+}
+
+bool is_live_name(const std::string& name) {
+  return name.starts_with("udp:");
 }
 
 void require_labels(const OpenSource& source, const std::string& name, const std::string& method) {

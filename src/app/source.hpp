@@ -45,6 +45,9 @@ std::optional<hdl64::Calibration> calibration_for(const std::filesystem::path& c
 /// Throws Error; also if the ground method of the configuration needs labels and the source has none.
 OpenSource open_source(const std::string& name, Config& config);
 
+/// Whether a source of this name is a live sensor; opens nothing.
+bool is_live_name(const std::string& name);
+
 /// Throws Error if this ground method needs labels and a sweep of the source will have none.
 void require_labels(const OpenSource& source, const std::string& name, const std::string& method);
 

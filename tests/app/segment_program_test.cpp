@@ -74,5 +74,6 @@ TEST_CASE("what cannot be segmented is refused in one line", "[app][segment]") {
   require_one_line_and_code_2(segment("street.pcap --ground patchwork,lawn"), "lawn");
   require_one_line_and_code_2(segment("street.pcap --ground patchwork,truth"), "has no labels");
   require_one_line_and_code_2(segment("udp://127.0.0.1:0 --calibration calibration.yaml"), "is live");
+  require_one_line_and_code_2(segment("udp://127.0.0.1:0"), "is live");  // without waiting for a calibration
   CHECK_FALSE(fs::exists(folder.path() / "segments"));
 }
