@@ -120,6 +120,18 @@ Progress progress_of(const OpenSource& source) {
   return std::get<OpenFolder>(source).sweeps->progress();
 }
 
+/// As named, without the blanks about them. Throws Error where one is named twice: its files would be too.
+std::vector<std::string> distinct(const std::vector<std::string>& names) {
+  std::vector<std::string> result;
+  for (const std::string& name : names) {
+    const std::string trimmed = CLI::detail::trim_copy(name);
+    if (std::ranges::find(result, trimmed) != result.end())
+      throw Error("--ground", "names " + trimmed + " twice");
+    result.push_back(trimmed);
+  }
+  return result;
+}
+
 OpenSource open_recording(const SegmentOptions& options, Config& config) {
   // Before it is opened: a live sensor's own calibration would be waited for.
   if (is_live_name(options.source))
@@ -168,6 +180,7 @@ int segment_command(SegmentOptions options) {
   Config config = options.settings.load();
   if (!options.calibration.empty()) config.hdl64.calibration = options.calibration;
   if (options.methods.empty()) options.methods.push_back(config.ground.method);
+  options.methods = distinct(options.methods);
   config.ground.method = options.methods.front();
   validate(config);
   OpenSource source = open_recording(options, config);
@@ -215,6 +228,7 @@ void add_segment_command(CLI::App& program, Action& action) {
                   "the unit's db.xml or ROS yaml; default: as for pago run")
       ->type_name("FILE");
   command.add_option("--sweeps", options->most_sweeps, "at most so many sweeps; default: all")
+      ->check(CLI::Range(1, 1'000'000'000).description(""))
       ->type_name("N");
   command.add_flag("--ply", options->files.ply, "each sweep as a coloured PLY: ground green, all else red");
   command.add_flag("--pictures", options->files.picture, "each sweep from above as a PNG in these colours");

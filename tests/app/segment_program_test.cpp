@@ -72,6 +72,13 @@ TEST_CASE("what cannot be segmented is refused in one line", "[app][segment]") {
   };
   require_one_line_and_code_2(segment("missing.pcap"), "missing.pcap");
   require_one_line_and_code_2(segment("street.pcap --ground patchwork,lawn"), "lawn");
+  require_one_line_and_code_2(segment("street.pcap --ground lego,patchwork,lego"), "names lego twice");
+  require_one_line_and_code_2(segment("street.pcap --ground 'lego, lego'"), "names lego twice");
+  require_one_line_and_code_2(segment("street.pcap --sweeps -1"), "--sweeps");
+  require_one_line_and_code_2(
+      segment("street.pcap --ground cascaded --set ground.cascaded.min_range_m=20 --set "
+              "ground.cascaded.max_range_m=5"),
+      "ground.cascaded.min_range_m is 20.0, ground.cascaded.max_range_m is 5.0");
   require_one_line_and_code_2(segment("street.pcap --ground patchwork,truth"), "has no labels");
   require_one_line_and_code_2(segment("udp://127.0.0.1:0 --calibration calibration.yaml"), "is live");
   require_one_line_and_code_2(segment("udp://127.0.0.1:0"), "is live");  // without waiting for a calibration
