@@ -78,15 +78,14 @@ class Judge {
 
   std::size_t num_frames() const { return comparisons_[0].frames.size(); }
 
-  /// Tables to the terminal, rows and the page into the folder.
-  void report(const std::string& source, const std::filesystem::path& folder) const {
+  /// Tables to the terminal, rows and the page, of this title, into the folder.
+  void report(const std::string& title, const std::filesystem::path& folder) const {
     const std::array files{"protocol_a.csv", "protocol_b.csv"};
     for (std::size_t i = 0; i < comparisons_.size(); ++i) {
       std::cout << '\n' << ground_table(comparisons_[i]);
       output::write_file(folder / files[i], ground_csv(comparisons_[i]));
     }
-    output::write_file(folder / "index.html",
-                       evaluation::ground_page("Ground segmentation of " + source, comparisons_));
+    output::write_file(folder / "index.html", evaluation::ground_page(title, comparisons_));
   }
 
  private:
@@ -143,6 +142,14 @@ OpenSource open_recording(const SegmentOptions& options, Config& config) {
 
 struct Done {
   std::uint64_t sweeps = 0, returns = 0;
+  bool was_stopped = false;  // by a signal, with sweeps left
+
+  /// Words for what is only a part of what was asked for; else empty.
+  std::string complaint() const {
+    return was_stopped ? format("stopped by a signal: masks and scores are of the first %llu sweeps",
+                                static_cast<unsigned long long>(sweeps))
+                       : "";
+  }
 };
 
 Done segment_all(SweepReader& reader,
@@ -152,8 +159,11 @@ Done segment_all(SweepReader& reader,
                  Judge& judge) {
   ProgressLine line;
   Done done;
-  for (Sweep* sweep = nullptr;
-       (most == 0 || done.sweeps < most) && !stop_requested() && (sweep = reader.next()) != nullptr;) {
+  while (most == 0 || done.sweeps < most) {
+    Sweep* const sweep = reader.next();
+    if (sweep == nullptr) break;
+    done.was_stopped = stop_requested();
+    if (done.was_stopped) break;
     const bool is_judged = Judge::can_judge(*sweep);
     if (is_judged) judge.open(*sweep);
     for (std::size_t i = 0; i < methods.size(); ++i) {
@@ -190,14 +200,17 @@ int segment_command(SegmentOptions options) {
   Judge judge(options.methods, config.mount);
 
   const Done done = segment_all(reader, source, options.most_sweeps, methods, judge);
-  if (done.sweeps == 0)
+  if (done.sweeps == 0 && !done.was_stopped)
     throw Error(options.source, reader.failure().empty() ? "holds no sweep" : reader.failure());
   print_shares(methods, done);
   std::cout << height_line(methods.front().stage.mount_report(), config.mount);
-  if (judge.num_frames() > 0) judge.report(options.source, results.folder);
+  if (judge.num_frames() > 0) {
+    const std::string part = done.complaint().empty() ? "" : ", " + done.complaint();
+    judge.report("Ground segmentation of " + options.source + part, results.folder);
+  }
   std::cout << "files     " << results.folder.string() << '\n';
 
-  std::vector<std::string> complaints{results.complaint, reader.failure()};
+  std::vector<std::string> complaints{results.complaint, done.complaint(), reader.failure()};
   if (const auto* open = std::get_if<OpenPackets>(&source)) complaints.push_back(open->packets->complaint());
   complaints.push_back(to_text(methods.front().stage.mount_report().concluded(), config.mount));
   for (const std::string& complaint : complaints)

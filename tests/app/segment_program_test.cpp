@@ -65,6 +65,16 @@ TEST_CASE("an estimated height is shown", "[app][segment]") {
   CHECK_THAT(outcome.out, Contains("height    1.7") && Contains("mount.height_m is 1.60"));
 }
 
+TEST_CASE("an interrupted comparison says that it is of a part", "[app][segment]") {
+  PAGO_DATA_OR_SKIP(drive, "packets/drive_0005");
+  const StreetFolder folder(1);
+  RunningProgram program(folder.path(), {"segment", (drive / "drive_0005.pcap").string()});
+  program.wait_for("segments/latest/patchwork/000001.mask");
+  CHECK(program.interrupt() == 0);
+  CHECK_THAT(read_text(folder.path() / "err.txt"),
+             Contains("stopped by a signal: masks and scores are of the first "));
+}
+
 TEST_CASE("what cannot be segmented is refused in one line", "[app][segment]") {
   const StreetFolder folder(1);
   const auto segment = [&](const std::string& arguments) {
