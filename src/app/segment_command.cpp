@@ -57,8 +57,7 @@ struct Contender {
 /// The scores of all methods on whole sweeps with labels, by both protocols, which stay apart.
 class Judge {
  public:
-  Judge(const std::vector<std::string>& methods, const Mount& mount)
-      : vegetation_cut_m_(static_cast<float>(-0.75 * mount.height_m)) {
+  Judge(const std::vector<std::string>& methods, const Mount& mount) : mount_(mount) {
     for (GroundComparison& comparison : comparisons_)
       for (const std::string& method : methods) comparison.methods.push_back({method, {}});
     comparisons_[0].protocol = GroundProtocol::kPatchwork;
@@ -72,8 +71,7 @@ class Judge {
   }
   void judge(const Sweep& sweep, std::size_t method) {
     for (GroundComparison& comparison : comparisons_)
-      comparison.methods[method].counts.push_back(
-          count_ground(comparison.protocol, sweep, vegetation_cut_m_));
+      comparison.methods[method].counts.push_back(count_ground(comparison.protocol, sweep, mount_));
   }
 
   std::size_t num_frames() const { return comparisons_[0].frames.size(); }
@@ -89,7 +87,7 @@ class Judge {
   }
 
  private:
-  float vegetation_cut_m_;
+  Mount mount_;
   std::array<GroundComparison, 2> comparisons_;
 };
 

@@ -71,11 +71,13 @@ GroundCounts count_ground(GroundProtocol protocol,
   return counts;
 }
 
-GroundCounts count_ground(GroundProtocol protocol, const Sweep& sweep, float vegetation_cut_m) {
+GroundCounts count_ground(GroundProtocol protocol, const Sweep& sweep, const Mount& mount) {
   GroundCounts counts;
   counts.protocol = protocol;
+  const Eigen::Vector3f up = mount.R_level_sensor().row(2).transpose().cast<float>();
   for (std::uint32_t i = 0; i < sweep.size; ++i) {
-    const Truth truth = truth_of(protocol, sweep.label[i], sweep.z_m[i] < vegetation_cut_m);
+    const float z_m = up.dot(Eigen::Vector3f(sweep.x_m[i], sweep.y_m[i], sweep.z_m[i]));
+    const Truth truth = truth_of(protocol, sweep.label[i], z_m < kVegetationCutMetres);
     ++cell(counts, truth, sweep.ground[i] != 0);
   }
   return counts;

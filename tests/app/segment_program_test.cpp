@@ -45,6 +45,15 @@ TEST_CASE("labelled scans are scored by both protocols, with a page", "[app][seg
   CHECK(count_lines(read_text(latest / "protocol_b.csv")) == 3);
   CHECK_THAT(read_text(latest / "index.html"), Contains("Precision, %") && Contains("Protocol B"));
   CHECK(outcome.err == "");
+
+  SECTION("what is true does not depend on the mount's height") {
+    const auto lego_row = [&](const std::string& height_m) {
+      run_pago(folder.path(), "segment '" + scans.string() +
+                                  "' --ground lego --output lego --set mount.height_m=" + height_m);
+      return read_text(folder.path() / "lego" / "latest" / "protocol_a.csv");
+    };
+    CHECK(lego_row("1.723") == lego_row("1.2"));
+  }
 }
 
 TEST_CASE("a mount that one scan contradicts is warned about at its end", "[app][segment]") {

@@ -65,6 +65,19 @@ TEST_CASE("a labelled sweep is counted as its spans are", "[evaluation][ground_m
   }
 }
 
+TEST_CASE("low vegetation is low as the mount levels it, and whatever height the mount has",
+          "[evaluation][ground_metrics]") {
+  pago::Sweep sweep(2);
+  sweep.size = 2;
+  sweep.label[0] = sweep.label[1] = 70;
+  sweep.z_m[0] = -1.2F, sweep.z_m[1] = -1.4F;
+  for (const double height_m : {0.9, 1.73, 3.0})
+    CHECK(count_ground(kA, sweep, {.height_m = height_m}).false_negative == 1);
+  sweep.x_m[0] = sweep.x_m[1] = 10.0F;
+  CHECK(count_ground(kA, sweep, {.pitch_rad = 0.1}).false_negative == 2);
+  CHECK(count_ground(kA, sweep, {.pitch_rad = -0.1}).false_negative == 0);
+}
+
 TEST_CASE("protocol A counts low vegetation as ground and the rest of it as not",
           "[evaluation][ground_metrics]") {
   const GroundCounts counts = count(kA, kFrame);

@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include "pago/core/mount.hpp"
 #include "pago/core/sweep.hpp"
 
 namespace pago::evaluation {
@@ -16,7 +17,7 @@ namespace pago::evaluation {
 /// the two, so their figures never go into one table column or one mean.
 enum class GroundProtocol {
   /// A, of the papers Patchwork and PaGO: road, parking, sidewalk, other ground, lane marking and terrain are
-  /// ground, and so is vegetation below -3/4 of the sensor's height; other vegetation is not.
+  /// ground, and so is vegetation below -3/4 of the height of KITTI's sensor; other vegetation is not.
   kPatchwork,
   /// B, of Patchwork++: as A, but vegetation is left out of everything.
   kPatchworkPlusPlus,
@@ -41,10 +42,10 @@ GroundCounts count_ground(GroundProtocol protocol,
                           std::span<const std::uint8_t> mask,
                           float vegetation_cut_m = kVegetationCutMetres);
 
-/// The same of a sweep that has its labels (kLabelled) and its mask.
-GroundCounts count_ground(GroundProtocol protocol,
-                          const Sweep& sweep,
-                          float vegetation_cut_m = kVegetationCutMetres);
+/// The same of a sweep that has its labels (kLabelled) and its mask. Its heights are levelled by the mount's
+/// roll and pitch; the cut is KITTI's, whatever height the mount has: what is true does not depend on what
+/// the methods believe.
+GroundCounts count_ground(GroundProtocol protocol, const Sweep& sweep, const Mount& mount = {});
 
 /// All in [0, 1]. A ratio of nothing to nothing is 1: nothing was there and nothing was claimed.
 struct GroundScore {
