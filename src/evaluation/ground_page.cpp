@@ -48,9 +48,9 @@ std::string table(const GroundComparison& comparison) {
         "<tr><td><svg viewBox='0 0 24 10' style='width:24px'><path class='line' stroke='%s'%s "
         "d='M0 5H24'/></svg> %s",
         colour_of(i), dashes_of(i), escaped(comparison.methods[i].method).c_str());
-    for (const auto figure : {&GroundScore::precision, &GroundScore::recall, &GroundScore::f1})
-      text += format("<td>%.2f &plusmn; %.2f", 100.0 * mean.*figure, 100.0 * deviation.*figure);
-    text += format("<td>%.2f</tr>\n", 100.0 * all[i].pooled.f1);
+    for (const auto figure : kReported)
+      text += "<td>" + percent(mean.*figure) + " &plusmn; " + percent(deviation.*figure);
+    text += "<td>" + percent(all[i].pooled.f1) + "</tr>\n";
   }
   return text + "</table>\n";
 }
@@ -61,7 +61,7 @@ class Plot {
   Plot(const GroundComparison& comparison, double GroundScore::*figure)
       : comparison_(comparison), figure_(figure) {
     for (const GroundComparison::Row& row : comparison.methods)
-      for (const GroundCounts& counts : row.counts)
+      for (const GroundCounts& counts : row.counts)  // of NaN and a number, the first stays
         lowest_ = std::min(lowest_, std::floor(10.0 * (ground_score(counts).*figure)) / 10.0);
   }
 
@@ -100,9 +100,16 @@ class Plot {
   std::string line(std::size_t method) const {
     const GroundComparison::Row& row = comparison_.methods[method];
     std::string path, dots;
+    bool is_on = false;
     for (std::size_t i = 0; i < row.counts.size(); ++i) {
-      const double px = x(comparison_.frames[i]), py = y(ground_score(row.counts[i]).*figure_);
-      path += format("%c%.1f %.1f", i == 0 ? 'M' : 'L', px, py);
+      const double score = ground_score(row.counts[i]).*figure_;
+      if (std::isnan(score)) {
+        is_on = false;  // a gap
+        continue;
+      }
+      const double px = x(comparison_.frames[i]), py = y(score);
+      path += format("%c%.1f %.1f", is_on ? 'L' : 'M', px, py);
+      is_on = true;
       dots += format("<circle cx='%.1f' cy='%.1f' r='1.5' fill='%s'/>", px, py, colour_of(method));
     }
     return format("<path class='line' stroke='%s'%s d='", colour_of(method), dashes_of(method)) + path +
@@ -116,10 +123,9 @@ class Plot {
 
 std::string section(const GroundComparison& comparison) {
   return "<h2>Protocol " + std::string(to_string(comparison.protocol)) + "</h2>\n<p>" +
-         std::string(rule_of(comparison.protocol)) +
-         format("; %zu frames. In percent; mean and standard deviation over the frames.</p>\n",
-                comparison.frames.size()) +
-         table(comparison) + "<figure><figcaption>Precision, %, by frame</figcaption>\n" +
+         std::string(rule_of(comparison.protocol)) + "; " + frames_text(comparison, summaries(comparison)) +
+         ". In percent; mean and standard deviation over the frames.</p>\n" + table(comparison) +
+         "<figure><figcaption>Precision, %, by frame</figcaption>\n" +
          Plot(comparison, &GroundScore::precision).svg() +
          "</figure>\n<figure><figcaption>Recall, %, by frame</figcaption>\n" +
          Plot(comparison, &GroundScore::recall).svg() + "</figure>\n";
