@@ -13,6 +13,12 @@ elseif(PAGO_SANITIZE)
   message(FATAL_ERROR "PAGO_SANITIZE must be address, thread or empty, is '${PAGO_SANITIZE}'")
 endif()
 
+# For libFuzzer to see which way a program takes (tests/fuzz); clang only.
+option(PAGO_FUZZ "build tests/fuzz with libFuzzer" OFF)
+if(PAGO_FUZZ)
+  add_compile_options(-fsanitize=fuzzer-no-link)
+endif()
+
 # Fast enough to run real drives under a sanitizer, with assertions and line numbers.
 set(CMAKE_CXX_FLAGS_SANITIZE "-O1 -g1")
 set(CMAKE_C_FLAGS_SANITIZE "-O1 -g1")

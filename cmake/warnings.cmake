@@ -8,6 +8,8 @@ target_compile_options(pago_warnings INTERFACE
 target_compile_options(pago_warnings INTERFACE
   $<$<CXX_COMPILER_ID:GNU>:-Wduplicated-cond -Wlogical-op -Wno-null-dereference
     -Wno-maybe-uninitialized -Wno-array-bounds -Wno-stringop-overflow>)
+# Conditions without branches are what vector code is made of.
+target_compile_options(pago_warnings INTERFACE $<$<CXX_COMPILER_ID:Clang>:-Wno-bitwise-instead-of-logical>)
 
 # x86-64-v3 raises Eigen's default alignment to 32 bytes, which does not match a distribution's libceres.
 add_library(pago_abi INTERFACE)

@@ -20,7 +20,7 @@ std::vector<Eigen::Vector3f> read_points(const char* file) {
 }
 
 int main(int argc, char** argv) try {
-  if (argc < 2) std::puts("usage: pago_example 000000.bin 000001.bin ...");
+  if (argc < 2) return std::puts("usage: pago_example 000000.bin 000001.bin ..."), 2;
   pago::Odometry odometry;
   for (int i = 1; i < argc; ++i) {
     const std::vector<Eigen::Vector3f> points_m = read_points(argv[i]);

@@ -156,6 +156,10 @@ bool KittiSource::is_compensated() const noexcept {
 bool KittiSource::has_stamps() const noexcept {
   return state_->folder.has_stamps;
 }
+std::uint64_t KittiSource::missing_scans() const noexcept {
+  const auto& scans = state_->folder.scans;
+  return scans.back().sequence + 1 - scans.size();
+}
 std::uint64_t KittiSource::scans_with_guessed_rings() const noexcept {
   return state_->organizer.scans_with_guessed_rings();
 }

@@ -38,10 +38,14 @@ double hill_m(std::uint64_t seed, const Vector2d& at) {
          1.2 * noise(hash(seed, kHill, 1), at.x(), at.y(), 80.0);
 }
 
+std::size_t blocks_for(double length_m) {
+  return static_cast<std::size_t>(length_m / (kBlock_m - 2.0 * kCrookedness_m)) + 4;
+}
+
 /// Crossings in the order in which they are passed; straight on is the most frequent.
 std::vector<Node> choose_route(std::uint64_t seed, double length_m) {
   std::vector<Node> route{{0, 0}, {1, 0}};
-  const auto blocks = static_cast<std::size_t>(length_m / (kBlock_m - 2.0 * kCrookedness_m)) + 4;
+  const std::size_t blocks = blocks_for(length_m);
   int di = 1, dj = 0;
   while (route.size() < blocks) {
     const double choice = Random(seed, kTurn, route.size()).unit();
@@ -50,6 +54,24 @@ std::vector<Node> choose_route(std::uint64_t seed, double length_m) {
       std::tie(di, dj) = std::pair(-dj * side, di * side);
     }
     route.push_back({route.back().i + di, route.back().j + dj});
+  }
+  return route;
+}
+
+/// Around a rectangle of blocks.
+std::vector<Node> choose_loop(double length_m, double loop_m) {
+  const int half = std::max(2, static_cast<int>(std::lround(0.5 * loop_m / kBlock_m)));
+  const int wide = half / 2, high = half - wide;
+  std::vector<Node> route{{0, 0}};
+  const std::size_t blocks = blocks_for(length_m);
+  const auto go = [&](int di, int dj, int steps) {
+    for (int k = 0; k < steps; ++k) route.push_back({route.back().i + di, route.back().j + dj});
+  };
+  while (route.size() < blocks) {
+    go(1, 0, wide);
+    go(0, 1, high);
+    go(-1, 0, wide);
+    go(0, -1, high);
   }
   return route;
 }
@@ -131,9 +153,9 @@ void append_arc(const Vector2d& corner, const Vector2d& u, const Vector2d& v, st
 
 }  // namespace
 
-City make_city(std::uint64_t seed, double length_m) {
-  const std::vector<Node> route = choose_route(seed, length_m);
-  City city;
+Route make_city(std::uint64_t seed, double length_m, double loop_m) {
+  const std::vector<Node> route = loop_m > 0.0 ? choose_loop(length_m, loop_m) : choose_route(seed, length_m);
+  Route city;
   city.streets = build_streets(seed, choose_streets(seed, route));
 
   const auto direction = [&](std::size_t k) {

@@ -2,24 +2,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <Eigen/Core>
 #include <cstdint>
-#include <vector>
 
-#include "streets.hpp"
-#include "way.hpp"
+#include "route.hpp"
 
 namespace pago::simulator {
 
-/// Streets on a crooked grid, and a way through them.
-struct City {
-  std::vector<StreetPoint> streets;
-  Way way;                      ///< what the vehicle's middle follows: the right lane, corners rounded
-  std::vector<double> stops_m;  ///< along the way
-};
-
-/// A city of its own for every seed, with a way of at least `length_m`; streets reach out of the sensor's
-/// sight on all sides of it. The same seed gives the same streets whatever the length.
-City make_city(std::uint64_t seed, double length_m);
+/// Streets on a crooked grid, a city of its own for every seed, with a way of at least `length_m` in their
+/// right lanes; streets reach out of the sensor's sight on all sides of it. The same seed gives the same
+/// streets whatever the length. With `loop_m` the way goes around the same blocks again and again, about so
+/// far each time (440 m at least); 0: it does not.
+Route make_city(std::uint64_t seed, double length_m, double loop_m = 0.0);
 
 }  // namespace pago::simulator

@@ -10,7 +10,7 @@ namespace pago::simulator {
 namespace {
 
 // What the seed is used for.
-enum : std::uint64_t { kKerb = 100, kDriveway, kRoad, kYard, kRelief, kShade, kBump };
+enum : std::uint64_t { kKerb = 100, kDriveway, kRoad, kYard, kRelief, kShade, kBump, kDitch, kBank };
 
 constexpr std::size_t kFarStride = 10;  // street points; 20 m
 // Within the first distance from a street's middle the land follows the streets near by, beyond the second
@@ -92,6 +92,22 @@ double Ground::road_height_m(const Spot& spot) const noexcept {
   return spot.base_m + waves_m(spot.at) + rough_m + speed_bump_m(spot.street);
 }
 
+// Ditches and banks come and go along a road, and differ between its sides: so they are looked up some way
+// beside it.
+double Ground::verge_m(const Spot& spot) const noexcept {
+  if ((style_.ditch_m <= 0.0 && style_.bank_m <= 0.0) || spot.street.point == nullptr) return 0.0;
+  constexpr double kAside_m = 70.0;
+  const StreetPoint& point = *spot.street.point;
+  const double edge_m = spot.street.edge_m;
+  const Eigen::Vector2d key = point.at + spot.street.along_m * point.along +
+                              std::copysign(kAside_m, spot.street.offset_m) * point.left();
+  const double ditch = blend(-0.2, 0.2, noise(hash(seed_, kDitch), key.x(), key.y(), 45.0)) *
+                       blend(1.0, 2.2, edge_m) * (1.0 - blend(2.6, 4.0, edge_m));
+  const double bank = noise(hash(seed_, kBank), key.x(), key.y(), 60.0) * blend(2.0, 9.0, edge_m) *
+                      (1.0 - blend(14.0, 30.0, edge_m));
+  return style_.bank_m * bank - style_.ditch_m * ditch;
+}
+
 double Ground::land_height_m(const Spot& spot) const noexcept {
   const Eigen::Vector2d& at = spot.at;
   double kerb_m = style_.kerb_low_m + (style_.kerb_high_m - style_.kerb_low_m) *
@@ -103,7 +119,7 @@ double Ground::land_height_m(const Spot& spot) const noexcept {
   const double bumps_m = style_.yard_bump_m * (noise(hash(seed_, kYard), at.x(), at.y(), 2.0) +
                                                2.0 * noise(hash(seed_, kYard, 1), at.x(), at.y(), 7.0));
   const double wildness = blend(style_.sidewalk_m, style_.sidewalk_m + 2.0, spot.street.edge_m);
-  return spot.base_m + waves_m(at) + kerb_m + wildness * bumps_m;
+  return spot.base_m + waves_m(at) + kerb_m + verge_m(spot) + wildness * bumps_m;
 }
 
 Surface Ground::surface(const Spot& spot) const noexcept {
@@ -112,11 +128,13 @@ Surface Ground::surface(const Spot& spot) const noexcept {
     const double value = 128.0 + spread * noise(hash(seed_, kShade), at.x(), at.y(), size_m);
     return static_cast<std::uint8_t>(std::clamp(value, 0.0, 255.0));
   };
-  if (spot.is_on_road()) return {Material::kAsphalt, shade(15.0, 60.0), Label::kRoad};
-  if (spot.street.edge_m < style_.sidewalk_m) return {Material::kPaving, shade(4.0, 60.0), Label::kSidewalk};
-  Surface yard = style_.yard;
-  yard.shade = shade(6.0, 90.0);
-  return yard;
+  const auto shaded = [&](Surface surface, double size_m, double spread) {
+    surface.shade = shade(size_m, spread);
+    return surface;
+  };
+  if (spot.is_on_road()) return shaded(style_.road, 15.0, 60.0);
+  if (spot.street.edge_m < style_.sidewalk_m) return shaded(style_.side, 4.0, 60.0);
+  return shaded(style_.yard, 6.0, 90.0);
 }
 
 }  // namespace pago::simulator

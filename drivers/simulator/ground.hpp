@@ -18,6 +18,10 @@ struct GroundStyle {
   double yard_bump_m = 0.03;        ///< amplitude of the bumps beyond the sidewalk, over 2 m
   double relief_m = 1.5;            ///< amplitude of the land's own hills, away from streets, over 60 m
   double speed_bumps = 0.0;         ///< per 80 m of street
+  double ditch_m = 0.0;             ///< deepest, 1 to 4 m beside the carriageway
+  double bank_m = 0.0;              ///< how far the land beside the road rises or falls at most
+  Surface road{Material::kAsphalt, 128, Label::kRoad};
+  Surface side{Material::kPaving, 128, Label::kSidewalk};  ///< within sidewalk_m of the carriageway
   Surface yard{Material::kGrass, 128, Label::kTerrain};
 };
 
@@ -53,6 +57,7 @@ class Ground {
  private:
   double far_height_m(const Eigen::Vector2d& at) const noexcept;
   double waves_m(const Eigen::Vector2d& at) const noexcept;
+  double verge_m(const Spot& spot) const noexcept;
   double speed_bump_m(const StreetPlace& street) const noexcept;
 
   StreetMap streets_;

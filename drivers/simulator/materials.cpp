@@ -27,6 +27,7 @@ const Optics& optics(Material material) noexcept {
       {6.00, 0.0, 0.0, 0.0},   // sign
       {0.35, 0.0, 0.0, 0.0},   // cloth
       {0.30, 0.0, 0.75, 0.0},  // wire
+      {0.45, 0.0, 0.0, 0.10},  // meadow
   }};
   return kOptics[static_cast<std::size_t>(material)];
 }

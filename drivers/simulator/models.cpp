@@ -180,4 +180,18 @@ Model bush_model(Random& random, double height_m) {
   return finished(std::move(mesh));
 }
 
+Model tuft_model(Random& random, double height_m) {
+  Mesh mesh;
+  const int blades = 25 + random.below(20);
+  for (int i = 0; i < blades; ++i) {
+    const double turn = random.between(-3.2, 3.2), high_m = height_m * random.between(0.6, 1.0);
+    const Vector3d foot(random.between(-0.35, 0.35), random.between(-0.35, 0.35), -0.05);
+    const Vector3d across(0.012 * std::cos(turn), 0.012 * std::sin(turn), 0.0);
+    const Vector3d tip = foot + Vector3d(random.between(-0.3, 0.3) * high_m,
+                                         random.between(-0.3, 0.3) * high_m, high_m + 0.05);
+    add_triangle(mesh, foot - across, foot + across, tip, {Material::kLeaf, 140, Label::kVegetation});
+  }
+  return finished(std::move(mesh));
+}
+
 }  // namespace pago::simulator

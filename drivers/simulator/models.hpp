@@ -21,5 +21,7 @@ Model person_model(Random& random, Label label);
 /// Trunk, main branches and a crown of leaves, about `height_m` high.
 Model tree_model(Random& random, double height_m, double crown_m);
 Model bush_model(Random& random, double height_m);
+/// Blades of grass with room for beams between them.
+Model tuft_model(Random& random, double height_m);
 
 }  // namespace pago::simulator

@@ -137,7 +137,10 @@ std::uint32_t LabelTrack::label(Sweep& sweep, const hdl64::Calibration& unit) co
     if (packet == nullptr) continue;
     const std::int64_t firing = (firing_ns - packet->time_ns) / timing.period_ns;
     const std::size_t blocks_per_firing = hdl64::kBlocks / static_cast<std::size_t>(timing.firings);
-    const std::size_t block = static_cast<std::size_t>(firing) * blocks_per_firing + (laser >= 32 ? 1 : 0);
+    // The strongest stands in a firing's first two blocks, what else came in the next two.
+    const bool is_second = blocks_per_firing == 4 && (sweep.echo[i] & kNotStrongest) != 0;
+    const std::size_t block =
+        static_cast<std::size_t>(firing) * blocks_per_firing + (is_second ? 2 : 0) + (laser >= 32 ? 1 : 0);
     const std::uint8_t kind =
         packet->kinds[block * hdl64::kLasersPerBlock + static_cast<std::size_t>(laser % 32)];
     sweep.label[i] = static_cast<std::uint16_t>(kKinds[std::min<std::size_t>(kind, kKinds.size() - 1)]);

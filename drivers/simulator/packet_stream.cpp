@@ -40,7 +40,9 @@ void PacketStream::write_block(SimulatedPacket& packet,
   put_u16(to, is_upper ? hdl64::kUpperBlock : hdl64::kLowerBlock);
   put_u16(to + 2, Head::shown_cdeg(sensor_.head().revolutions(sensor_.firing_s(firing))));
   for (std::size_t j = 0; j < hdl64::kLasersPerBlock; ++j) {
-    const Slot& slot = slots[which][is_upper ? j : j + hdl64::kLasersPerBlock];
+    const std::size_t laser = is_upper ? j : j + hdl64::kLasersPerBlock;
+    // A beam with one return says it twice.
+    const Slot& slot = slots[slots[which][laser].raw != 0 ? which : 0][laser];
     put_u16(to + 4 + 3 * j, slot.raw);
     to[6 + 3 * j] = slot.intensity;
     packet.labels[block * hdl64::kLasersPerBlock + j] = static_cast<std::uint16_t>(slot.label);

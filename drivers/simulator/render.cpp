@@ -4,6 +4,7 @@
 
 #include <memory>
 
+#include "faults.hpp"
 #include "kitti_folder.hpp"
 #include "pago/core/error.hpp"
 #include "pago/output/text_file.hpp"
@@ -13,7 +14,6 @@
 #include "pago/simulator/unit.hpp"
 #include "pictures.hpp"
 #include "scan_collector.hpp"
-#include "timing.hpp"
 #include "truth_files.hpp"
 
 namespace pago::simulator {
@@ -30,10 +30,14 @@ void check(const std::string& complaint) {
 class Outputs {
  public:
   Outputs(const Simulator& drive, const Config& config, const DriveFiles& files)
-      : drive_(drive), picture_scan_(drive.num_sweeps() / 2), pictures_(files.pictures) {
+      : drive_(drive),
+        picture_scan_(drive.num_sweeps() / 2),
+        pictures_(files.pictures),
+        way_(config.simulator.faults, drive.start_ns(), static_cast<std::uint64_t>(config.simulator.seed)) {
     if (!files.pcap.empty()) pcap_ = std::make_unique<PcapWriter>(files.pcap);
     if (!files.labels.empty())
-      labels_ = std::make_unique<LabelWriter>(files.labels, kSingleReturn.period_ns, kSingleReturn.firings);
+      labels_ = std::make_unique<LabelWriter>(files.labels, drive.format().firing_period_ns,
+                                              drive.format().firings());
     if (!files.kitti.empty()) kitti_ = std::make_unique<KittiFolder>(files.kitti);
     if (files.kitti.empty() && files.pictures.empty()) return;
     scans_ = std::make_unique<ScanCollector>(
@@ -44,7 +48,10 @@ class Outputs {
   Outputs& operator=(const Outputs&) = delete;
 
   void add(const SimulatedPacket& packet) {
-    if (pcap_) pcap_->write(packet.bytes, packet.arrival_ns);
+    if (pcap_) {
+      way_.pass(packet, arrived_);
+      write_arrived();
+    }
     if (labels_) labels_->write(packet);
     if (scans_) scans_->add(packet);
   }
@@ -55,7 +62,11 @@ class Outputs {
   }
 
   void finish(std::uint64_t num_sweeps) {
-    if (pcap_) pcap_->flush();
+    if (pcap_) {
+      way_.finish(arrived_);
+      write_arrived();
+      pcap_->flush();
+    }
     if (labels_) labels_->flush();
     check_files();
     if (scans_) scans_->finish(num_sweeps);
@@ -63,6 +74,10 @@ class Outputs {
   }
 
  private:
+  void write_arrived() {
+    for (const SentPacket& packet : arrived_) pcap_->write(packet.payload(), packet.arrival_ns);
+    arrived_.clear();
+  }
   void use(std::uint64_t scan, const LabelledRings& rings) const {
     if (kitti_) kitti_->write_scan(scan, rings);
     if (!pictures_.empty() && scan == picture_scan_) draw_scan(rings, pictures_);
@@ -71,6 +86,8 @@ class Outputs {
   const Simulator& drive_;
   std::uint64_t picture_scan_;
   std::filesystem::path pictures_;
+  FaultyWay way_;
+  std::vector<SentPacket> arrived_;
   std::unique_ptr<PcapWriter> pcap_;
   std::unique_ptr<LabelWriter> labels_;
   std::unique_ptr<KittiFolder> kitti_;
@@ -91,7 +108,7 @@ std::uint64_t render(const Config& config,
   std::int64_t until_ns = drive.start_ns();
   while (!stop.load(std::memory_order_relaxed) && drive.next(packet)) {
     outputs.add(packet);
-    until_ns = packet.time_ns + kSingleReturn.packet_period_ns();
+    until_ns = packet.time_ns + drive.format().packet_period_ns();
     if (++done % kProgressEvery != 0) continue;
     outputs.check_files();
     on_progress({static_cast<double>(done), static_cast<double>(drive.num_packets())});

@@ -23,8 +23,8 @@ struct LabelledPoint {
 /// One rotation, ring by ring, 0 the lowest; each ring from ahead around to the left.
 using LabelledRings = std::array<std::vector<LabelledPoint>, hdl64::kLasers>;
 
-/// Packets of a drive into whole rotations. Points are decoded as PaGO decodes packets, with the head's true
-/// azimuth. [one thread]
+/// Packets of a drive into whole rotations, of a dual-return unit its strongest returns. Points are decoded
+/// as PaGO decodes packets, with the head's true azimuth. [one thread]
 class ScanCollector {
  public:
   using Use = std::function<void(std::uint64_t scan, const LabelledRings&)>;
@@ -44,6 +44,7 @@ class ScanCollector {
   void add_firing(const SimulatedPacket& packet, int firing);
 
   const Simulator& drive_;
+  hdl64::StreamFormat format_;
   hdl64::PacketDecoder decoder_;
   hdl64::PacketReturns returns_{};
   bool is_compensated_;

@@ -52,7 +52,10 @@ bool is_edge(const Eigen::Vector3f& way, const Hit& hit, const Eigen::Vector3f& 
 }  // namespace
 
 Sensor::Sensor(SensorSetup setup, const Trajectory& T_world_base)
-    : setup_(std::move(setup)), trajectory_(T_world_base), head_(setup_.rotation_hz), stands_(kBlock + 1) {
+    : setup_(std::move(setup)),
+      trajectory_(T_world_base),
+      head_(setup_.rotation_hz, setup_.head_stops_at_s),
+      stands_(kBlock + 1) {
   for (std::size_t laser = 0; laser < lines_.size(); ++laser) {
     lines_[laser] = LaserLine(setup_.unit.lasers[laser], setup_.unit);
     // As rings of drive_0005 differ: by a quarter in intensity, and by 1 to 8 % in what they lose.

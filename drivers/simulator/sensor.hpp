@@ -31,6 +31,7 @@ struct SensorSetup {
   hdl64::Calibration unit;  ///< as it really is, not as its file says
   FiringTiming timing;
   double rotation_hz = 10.0;
+  double head_stops_at_s = 0.0;  ///< 0: never
   ReturnModel returns;
   Eigen::Isometry3d T_base_sensor = Eigen::Isometry3d::Identity();
   std::uint64_t seed = 0;

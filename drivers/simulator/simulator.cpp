@@ -16,7 +16,29 @@ namespace {
 
 /// 2026-03-02 10:15:00 UTC.
 constexpr std::int64_t kStart_ns = 1'772'446'500'000'000'000;
-constexpr int kStrongest = 0;
+constexpr std::int64_t kStampWrap_ns = 3'600'000'000'000;
+
+bool is_s3(const SimulatorConfig& config) {
+  return config.unit != SimulatedUnit::kS2;
+}
+bool is_dual(const SimulatorConfig& config) {
+  return config.unit == SimulatedUnit::kS3Dual;
+}
+
+/// What the unit says of itself: 0 strongest, 2 both.
+int return_mode(const SimulatorConfig& config) {
+  return is_dual(config) ? 2 : 0;
+}
+
+FiringTiming timing_of(const SimulatorConfig& config) {
+  if (is_dual(config)) return kDualReturn;
+  return is_s3(config) ? kSingleReturnS3 : kSingleReturn;
+}
+
+std::int64_t start_of(const SimulatorFaults& faults) {
+  if (faults.hour_ends_at_s <= 0.0) return kStart_ns;
+  return (kStart_ns / kStampWrap_ns + 1) * kStampWrap_ns - std::llround(faults.hour_ends_at_s * 1e9);
+}
 
 hdl64::Calibration calibration_file(const Hdl64Config& sensor) {
   if (!sensor.calibration.empty()) return hdl64::load_calibration(sensor.calibration, sensor.vertical_offset);
@@ -29,8 +51,9 @@ SensorSetup sensor_setup(const SimulatorConfig& config, const hdl64::Calibration
   const auto seed = static_cast<std::uint64_t>(config.seed);
   const UnitErrors errors{config.range_bias_m, config.angle_error_deg * kDegree};
   return {.unit = imperfect(file, errors, seed),
-          .timing = kSingleReturn,
+          .timing = timing_of(config),
           .rotation_hz = config.rotation_hz,
+          .head_stops_at_s = config.faults.head_stops_at_s,
           .returns = {config.range_noise_m, config.outliers, config.wetness},
           .T_base_sensor = mount.T_base_sensor(),
           .seed = seed};
@@ -55,21 +78,23 @@ std::uint64_t packets_of(const Sensor& sensor, std::uint64_t num_sweeps) {
 
 struct Simulator::State {
   State(const SimulatorConfig& config, const Hdl64Config& sensor_config, const Mount& mount)
-      : file(calibration_file(sensor_config)),
+      : start_ns(start_of(config.faults)),
+        file(calibration_file(sensor_config)),
         surroundings(lay_out(config)),
         scene([this](const Tile& tile) { return surroundings.world->tile(tile); }),
         sensor(sensor_setup(config, file, mount), *surroundings.T_world_base),
         num_sweeps(whole_sweeps(config, sensor, surroundings.T_world_base->duration_s())),
         num_packets(packets_of(sensor, num_sweeps)),
-        stream(
-            sensor,
-            scene,
-            *surroundings.traffic,
-            StatusCycle(file, config.rotation_hz, false, kStrongest),
-            {sensor_config.packet_stamp, kStart_ns, num_packets, static_cast<std::uint64_t>(config.seed)}) {}
+        stream(sensor,
+               scene,
+               *surroundings.traffic,
+               StatusCycle(file, config.rotation_hz, is_s3(config), return_mode(config)),
+               {sensor_config.packet_stamp, start_ns, num_packets, static_cast<std::uint64_t>(config.seed)}) {
+  }
 
-  double seconds(std::int64_t time_ns) const { return static_cast<double>(time_ns - kStart_ns) * 1e-9; }
+  double seconds(std::int64_t time_ns) const { return static_cast<double>(time_ns - start_ns) * 1e-9; }
 
+  std::int64_t start_ns;
   hdl64::Calibration file;
   Surroundings surroundings;
   RayCaster scene;
@@ -90,8 +115,13 @@ bool Simulator::next(SimulatedPacket& packet) {
 const hdl64::Calibration& Simulator::calibration() const noexcept {
   return state_->file;
 }
+hdl64::StreamFormat Simulator::format() const noexcept {
+  const FiringTiming& timing = state_->sensor.timing();
+  const bool is_dual = timing.firings == kDualReturn.firings;
+  return {is_dual ? hdl64::SensorKind::kHdl64Dual : hdl64::SensorKind::kHdl64Single, timing.period_ns};
+}
 std::int64_t Simulator::start_ns() const noexcept {
-  return kStart_ns;
+  return state_->start_ns;
 }
 std::int64_t Simulator::duration_ns() const noexcept {
   return static_cast<std::int64_t>(state_->num_packets) * state_->sensor.timing().packet_period_ns();
@@ -108,7 +138,7 @@ std::uint64_t Simulator::sweeps_until(std::int64_t time_ns) const noexcept {
 SweepTimes Simulator::sweep(std::uint64_t index) const noexcept {
   const auto at = [&](double turn) {
     const double t_s = state_->sensor.head().time_at_s(Head::kStart_rev + static_cast<double>(index) + turn);
-    return kStart_ns + std::llround(t_s * 1e9);
+    return state_->start_ns + std::llround(t_s * 1e9);
   };
   return {at(0.0), at(0.5), at(1.0)};
 }

@@ -50,7 +50,8 @@ enum class Material : std::uint8_t {
   kSoil,
   kSign,  ///< retro-reflective
   kCloth,
-  kWire,  ///< a fence whose meshes are finer than the mesh of triangles: most of a beam goes through
+  kWire,    ///< a fence whose meshes are finer than the mesh of triangles: most of a beam goes through
+  kMeadow,  ///< grass as it grows when nobody mows it: beams end anywhere in it
   kCount
 };
 

@@ -18,6 +18,7 @@ struct FiringTiming {
 };
 
 inline constexpr FiringTiming kSingleReturn{};
+inline constexpr FiringTiming kSingleReturnS3{hdl64::kFiringPeriodS3_ns, hdl64::kFirings};
 /// S3: each firing takes two pairs of blocks, for its two returns.
 inline constexpr FiringTiming kDualReturn{hdl64::kFiringPeriodS3_ns, 3};
 

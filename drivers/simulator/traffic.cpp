@@ -16,7 +16,7 @@ namespace {
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 
-enum : std::uint64_t { kOncoming = 600, kCompany, kPedestrian, kPerson };
+enum : std::uint64_t { kOncoming = 600, kCompany, kPedestrian, kPerson, kPassing };
 
 constexpr double kStep_s = 0.05;  // between the poses that are worked out; 20 m/s: 1 m
 constexpr double kReach_m = RayCaster::kSight_m + 10.0;
@@ -85,6 +85,16 @@ void Traffic::add_cars(const TrafficStyle& style, double density, std::uint64_t 
     movers_.push_back({static_cast<std::size_t>(random.below(kCarModels)),
                        [=](double t_s) { return meets_m - speed_m_s * (t_s - meets_s); },
                        style.oncoming_left_m, meets_s - kAround_s, meets_s + kAround_s});
+  }
+  for (int slot = 0; slot * kSlot_s < end_s; ++slot) {
+    Random random(seed, kPassing, slot);
+    if (!random.chance(style.passing_per_s * kSlot_s * density)) continue;
+    const double meets_s = kSlot_s * (slot + random.unit()), meets_m = vehicle_m(meets_s);
+    const double own_m_s = vehicle_m(meets_s + 0.5) - vehicle_m(meets_s - 0.5);
+    const double speed_m_s = own_m_s + random.between(style.passing_slow_m_s, style.passing_fast_m_s);
+    movers_.push_back({static_cast<std::size_t>(random.below(kCarModels)),
+                       [=](double t_s) { return meets_m + speed_m_s * (t_s - meets_s); },
+                       style.passing_left_m, meets_s - kAround_s, meets_s + kAround_s});
   }
   // Who drives ahead is where the vehicle itself will be in a moment, so it stops and turns as the vehicle
   // does.

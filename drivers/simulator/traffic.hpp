@@ -27,6 +27,7 @@ struct TrafficStyle {
   double oncoming_per_s = 0.22;
   double oncoming_left_m = 3.2, oncoming_slow_m_s = 7.0, oncoming_fast_m_s = 13.0;
   double leading = 0.6, following = 0.5;  ///< chances
+  double passing_per_s = 0.0, passing_left_m = 3.75, passing_slow_m_s = 2.0, passing_fast_m_s = 9.0;
   double pedestrians_per_m = 0.02;
   double sidewalk_right_m = 5.0, sidewalk_left_m = 8.4;
 };

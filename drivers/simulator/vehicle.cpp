@@ -127,12 +127,13 @@ std::vector<Eigen::Isometry3d> drive_over(const Ground& ground,
                                           const Way& way,
                                           std::span<const double> distances_m,
                                           double interval_s,
+                                          double unsteadiness,
                                           std::uint64_t seed) {
   std::vector<Eigen::Isometry3d> poses;
   poses.reserve(distances_m.size());
   std::vector<Spring> springs;  // height, pitch, roll
   for (std::size_t i = 0; i < distances_m.size(); ++i) {
-    const auto axle_at = [&](double s_m) { return way.beside(s_m, wander_m(seed, s_m)); };
+    const auto axle_at = [&](double s_m) { return way.beside(s_m, unsteadiness * wander_m(seed, s_m)); };
     const Vector2d rear = axle_at(distances_m[i] - kHalfWheelbase_m);
     const Vector2d front = axle_at(distances_m[i] + kHalfWheelbase_m);
     const Vector2d ahead = (front - rear).normalized(), left(-ahead.y(), ahead.x());

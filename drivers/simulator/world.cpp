@@ -22,12 +22,13 @@ Tile Tile::of(const Vector2d& place) noexcept {
           static_cast<int>(std::floor(place.y() / kTile_m))};
 }
 
-World::World(Ground ground, StreetMap way, const TownStyle& style, std::uint64_t seed)
-    : ground_(std::move(ground)), way_(std::move(way)), style_(style), seed_(seed) {
+World::World(Ground ground, StreetMap way, const Scenery& scenery, std::uint64_t seed)
+    : ground_(std::move(ground)), way_(std::move(way)), scenery_(scenery), seed_(seed) {
   for (int i = 0; i < kModels; ++i) {
     Random random(seed, kModel, i);
     trees_.push_back(tree_model(random, random.between(5.5, 10.0), random.between(1.6, 2.6)));
     bushes_.push_back(bush_model(random, random.between(0.7, 1.6)));
+    tufts_.push_back(tuft_model(random, random.between(0.3, 0.8)));
   }
   for (const CarShape shape : {CarShape::kHatchback, CarShape::kSaloon, CarShape::kVan})
     for (const std::uint8_t shade : std::array<std::uint8_t, 3>{25, 110, 230})
@@ -43,15 +44,19 @@ void World::line_streets() {
     const auto street = points.subspan(first, end - first);
     line_side(street, 1.0);
     line_side(street, -1.0);
-    add_markings(street);
+    if (scenery_.is_marked) add_markings(street);
+    add_structures(street);
     first = end;
   }
 }
 
 void World::line_side(std::span<const StreetPoint> street, double side) {
   add_plots(street, side);
-  add_furniture(street, side);
+  if (scenery_.town.has_furniture) add_furniture(street, side);
   add_parked_cars(street, side);
+  add_stretches(street, side);
+  add_guard_rails(street, side);
+  add_verge(street, side);
 }
 
 bool World::is_free(const Vector2d& at, int street, double from_streets_m, double from_way_m) const {
@@ -64,6 +69,7 @@ void World::put(Item item) {
 }
 
 void World::add_plots(std::span<const StreetPoint> street, double side) {
+  const Town& town = scenery_.town;
   const int number = street.front().street;
   Random random(seed_, kPlot, number, side > 0.0);
   const double end_m = street.back().from_start_m;
@@ -73,10 +79,12 @@ void World::add_plots(std::span<const StreetPoint> street, double side) {
     s += width_m;
     if (middle >= street.size() || !street[middle].is_furnished) continue;
     const StreetPoint& point = street[middle];
-    const bool has_house = random.chance(style_.house);
+    // Drawn only where it matters, so that a town that is built up everywhere has the numbers to itself.
+    if (town.plots < 1.0 && !random.chance(town.plots)) continue;
+    const bool has_house = random.chance(town.house);
     const double setback_m =
-        random.chance(style_.set_back) ? random.between(2.5, 6.0) : random.between(0.0, 0.5);
-    const double gap_m = random.chance(style_.gap) ? random.between(1.0, 6.0) : 0.02;
+        random.chance(town.set_back) ? random.between(2.5, 6.0) : random.between(0.0, 0.5);
+    const double gap_m = random.chance(town.gap) ? random.between(1.0, 6.0) : 0.02;
     const std::uint64_t key = random.bits();
     const Vector2d outward = side * point.left();
     const double line_m = point.half_width_m + ground_.style().sidewalk_m;
@@ -102,7 +110,7 @@ void World::add_plots(std::span<const StreetPoint> street, double side) {
 void World::add_furniture(std::span<const StreetPoint> street, double side) {
   const int number = street.front().street;
   Random random(seed_, kFurniture, number, side > 0.0);
-  const bool is_tree_lined = random.chance(style_.tree_lined);
+  const bool is_tree_lined = random.chance(scenery_.town.tree_lined);
   double next_lamp_m = random.between(8.0, 30.0), next_tree_m = random.between(6.0, 14.0);
   double next_sign_m = random.between(10.0, 60.0), next_bin_m = random.between(10.0, 60.0);
   for (const StreetPoint& point : street) {
@@ -128,7 +136,7 @@ void World::add_parked_cars(std::span<const StreetPoint> street, double side) {
   constexpr std::size_t kSlot = 3;  // street points: 6 m
   const int number = street.front().street;
   Random random(seed_, kParked, number, side > 0.0);
-  const double chance = style_.parked * random.between(0.2, 1.7);
+  const double chance = scenery_.town.parked * random.between(0.2, 1.7);
   for (std::size_t i = 2; i < street.size(); i += kSlot) {
     const StreetPoint& point = street[i];
     const bool is_taken = random.chance(chance);
@@ -148,7 +156,9 @@ void World::add_parked_cars(std::span<const StreetPoint> street, double side) {
 void World::add_markings(std::span<const StreetPoint> street) {
   for (std::size_t i = 4; i + 4 < street.size(); i += 3) {
     const StreetPoint& point = street[i];
-    const Item item{.kind = Item::Kind::kMarking, .at = point.at, .along = point.along};
+    const Item item{.kind = Item::Kind::kMarking,
+                    .at = point.at + scenery_.marking_left_m * point.left(),
+                    .along = point.along};
     if (point.is_furnished && ground_.streets().nearest_other(point.at, point.street).edge_m > 1.0) put(item);
   }
 }

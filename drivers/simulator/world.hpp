@@ -8,6 +8,7 @@
 
 #include "ground.hpp"
 #include "models.hpp"
+#include "scenery.hpp"
 
 namespace pago::simulator {
 
@@ -25,20 +26,27 @@ struct Tile {
   Eigen::Vector2d corner() const noexcept { return Eigen::Vector2d(i, j) * kTile_m; }
 };
 
-/// How a world's streets are lined. Chances are per slot of the thing in question.
-struct TownStyle {
-  double house = 0.7;      ///< of plots that have one
-  double gap = 0.5;        ///< of houses with a gap beside them
-  double set_back = 0.45;  ///< of houses that stand behind a front garden
-  int low_storeys = 2, high_storeys = 5;
-  double tree_lined = 0.5;    ///< of street sides
-  double parked = 0.5;        ///< of kerb slots on the average street; each street has its own
-  double garden_tree = 0.16;  ///< per 7 m square off the streets
-};
-
 /// A thing that stands somewhere; its mesh is made when its tile is.
 struct Item {
-  enum class Kind : std::uint8_t { kHouse, kFront, kLamp, kSign, kTree, kParkedCar, kBin, kMarking };
+  enum class Kind : std::uint8_t {
+    kHouse,
+    kFront,
+    kLamp,
+    kSign,
+    kTree,
+    kParkedCar,
+    kBin,
+    kMarking,
+    kHedge,
+    kWireFence,
+    kNoiseWall,
+    kGuardRail,
+    kPole,
+    kDelineator,
+    kTallGrass,
+    kBridge,
+    kTunnel
+  };
   Kind kind = Kind::kHouse;
   Eigen::Vector2d at = Eigen::Vector2d::Zero();
   Eigen::Vector2d along = Eigen::Vector2d::UnitX();  ///< the street's direction there
@@ -52,7 +60,7 @@ struct Item {
 class World {
  public:
   /// Nothing stands on `way`, what the vehicle drives along.
-  World(Ground ground, StreetMap way, const TownStyle& style, std::uint64_t seed);
+  World(Ground ground, StreetMap way, const Scenery& scenery, std::uint64_t seed);
 
   Mesh tile(const Tile& tile) const;
   const Ground& ground() const noexcept { return ground_; }
@@ -64,6 +72,12 @@ class World {
   void add_furniture(std::span<const StreetPoint> street, double side);
   void add_parked_cars(std::span<const StreetPoint> street, double side);
   void add_markings(std::span<const StreetPoint> street);
+  void add_stretches(std::span<const StreetPoint> street, double side);
+  void add_guard_rails(std::span<const StreetPoint> street, double side);
+  void add_verge(std::span<const StreetPoint> street, double side);
+  void add_structures(std::span<const StreetPoint> street);
+  bool has_median(const StreetPoint& point, double side) const;
+  bool is_clear(const Eigen::Vector2d& at, double from_streets_m) const;
   bool is_free(const Eigen::Vector2d& at, int street, double from_streets_m, double from_way_m) const;
   void put(Item item);
 
@@ -73,13 +87,18 @@ class World {
   void build_parked_car(Mesh& mesh, const Item& item) const;
   void build_marking(Mesh& mesh, const Item& item) const;
   void build_gardens(Mesh& mesh, const Tile& tile) const;
+  void build_roadside(Mesh& mesh, const Item& item) const;
+  void build_barrier(Mesh& mesh, const Item& item) const;
+  void build_guard_rail(Mesh& mesh, const Item& item) const;
+  void build_bridge(Mesh& mesh, const Item& item) const;
+  void build_tunnel(Mesh& mesh, const Item& item) const;
 
   Ground ground_;
   StreetMap way_;
-  TownStyle style_;
+  Scenery scenery_;
   std::uint64_t seed_;
   std::unordered_map<std::uint64_t, std::vector<Item>> items_;
-  std::vector<Model> trees_, bushes_, cars_;
+  std::vector<Model> trees_, bushes_, tufts_, cars_;
 };
 
 }  // namespace pago::simulator

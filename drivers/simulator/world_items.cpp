@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "buildings.hpp"
+#include "placement.hpp"
 #include "world.hpp"
 
 namespace pago::simulator {
@@ -13,44 +13,7 @@ namespace {
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 
-enum : std::uint64_t { kGarden = 400 };
-
-const Model& one_of(const std::vector<Model>& models, Random& random) {
-  return models[static_cast<std::size_t>(random.below(static_cast<int>(models.size())))];
-}
-
-Eigen::Isometry3d upright(const Vector2d& at, double z_m, double yaw_rad) {
-  Eigen::Isometry3d T = Eigen::Isometry3d::Identity();
-  T.linear() = Eigen::AngleAxisd(yaw_rad, Vector3d::UnitZ()).toRotationMatrix();
-  T.translation() << at, z_m;
-  return T;
-}
-
-double heading(const Vector2d& along) {
-  return std::atan2(along.y(), along.x());
-}
-
-/// The plot whose front's middle the item marks, without the ground's height.
-Plot plot_of(const Item& item) {
-  Plot plot;
-  plot.along = item.along;
-  plot.inward = item.side * Vector2d(-item.along.y(), item.along.x());
-  plot.width_m = item.width_m;
-  plot.corner = item.at - 0.5 * item.width_m * item.along;
-  return plot;
-}
-
-/// The lowest ground along a plot's front and back.
-double lowest(const Ground& ground, const Plot& plot, double depth_m) {
-  double low = ground.height_m(plot.corner);
-  for (const double right : {0.0, 0.5, 1.0}) {
-    for (const double in_m : {0.0, depth_m}) {
-      const Vector2d at = plot.corner + right * plot.width_m * plot.along + in_m * plot.inward;
-      low = std::min(low, ground.height_m(at));
-    }
-  }
-  return low;
-}
+enum : std::uint64_t { kGarden = 400, kWood };
 
 void add_lamp(Mesh& mesh, const Eigen::Isometry3d& T, Random& random) {
   const Surface metal{Material::kMetal, 128, Label::kPole};
@@ -105,10 +68,13 @@ void World::build(Mesh& mesh, const Item& item) const {
       return build_parked_car(mesh, item);
     case Item::Kind::kMarking:
       return build_marking(mesh, item);
+    default:
+      return build_roadside(mesh, item);
   }
 }
 
 void World::build_house(Mesh& mesh, const Item& item) const {
+  const Town& town = scenery_.town;
   Random random(item.key);
   Plot plot = plot_of(item);
   // Built by eye.
@@ -116,8 +82,7 @@ void World::build_house(Mesh& mesh, const Item& item) const {
   plot.along = askew * plot.along;
   plot.inward = askew * plot.inward;
   plot.low_m = lowest(ground_, plot, plot.depth_m);
-  add_house(mesh, plot, style_.low_storeys + random.below(style_.high_storeys - style_.low_storeys + 1),
-            random);
+  add_house(mesh, plot, town.low_storeys + random.below(town.high_storeys - town.low_storeys + 1), random);
 }
 
 // In pieces of a few metres, each on its own height, as fences on slopes are.
@@ -169,6 +134,7 @@ void World::build_marking(Mesh& mesh, const Item& item) const {
 }
 
 void World::build_gardens(Mesh& mesh, const Tile& tile) const {
+  const Land& land = scenery_.land;
   constexpr int kCells = 9;  // of 7.1 m
   constexpr double kSize_m = static_cast<double>(kTile_m) / kCells;
   for (int j = 0; j < kCells; ++j) {
@@ -176,9 +142,11 @@ void World::build_gardens(Mesh& mesh, const Tile& tile) const {
       Random random(seed_, kGarden, tile.i * kCells + i, tile.j * kCells + j);
       const Vector2d at = tile.corner() + kSize_m * Vector2d(i + random.unit(), j + random.unit());
       const double choice = random.unit(), turn_rad = random.between(-3.1, 3.1);
-      if (choice > 2.0 * style_.garden_tree) continue;
+      const double wood = blend(0.25, 0.45, noise(hash(seed_, kWood), at.x(), at.y(), 130.0));
+      const double tree = land.tree + wood * land.wood;
+      if (choice > 2.0 * tree) continue;
       const double beyond_m = ground_.streets().nearest(at).edge_m - ground_.style().sidewalk_m;
-      const bool is_tree = choice < style_.garden_tree;
+      const bool is_tree = choice < tree;
       if (beyond_m < (is_tree ? 3.0 : 1.6) || way_.nearest(at).edge_m < 2.0) continue;
       const Model& model = one_of(is_tree ? trees_ : bushes_, random);
       add_mesh(mesh, model.mesh, upright(at, ground_.height_m(at), turn_rad), random.between(0.7, 1.2));

@@ -108,6 +108,11 @@ std::vector<std::string> doubts(const RunSummary& summary,
                      " keyframes are missing in the map: the disk or the machine was too slow");
   }
   if (const auto* folder = std::get_if<OpenFolder>(&source)) {
+    if (const auto scans = folder->sweeps->missing_scans(); scans > 0) {
+      result.push_back(std::to_string(scans) +
+                       " scans are missing (their file numbers are skipped): behind a gap, rows of the "
+                       "trajectory are not the scans' numbers");
+    }
     if (const auto scans = folder->sweeps->scans_with_guessed_rings(); scans > 0) {
       result.push_back(std::to_string(scans) +
                        " scans are not ring by ring as KITTI's are: their rings are guessed");

@@ -31,7 +31,11 @@ struct RunOptions {
   std::string source, output, calibration, ground, record, as_recorded;
   PartOptions part;
   bool is_realtime = false;
+  std::optional<double> speed;
   SettingsOptions settings;
+
+  /// A capture is replayed as if the sensor were live.
+  bool is_paced() const { return is_realtime || speed.has_value(); }
 };
 
 class ReplayObserver final : public Observer {
@@ -85,12 +89,18 @@ Prepared prepare(const RunOptions& options, Config& config) {
                .outlets = {},
                .recorded_hash = {}};
   const OpenPackets* const packets = run.packets();
-  if (!options.as_recorded.empty() && (packets == nullptr || packets->is_live || options.is_realtime))
+  if (!options.as_recorded.empty() && (packets == nullptr || packets->is_live || options.is_paced()))
     throw Error(options.as_recorded, "goes with a capture of the live run's packets, replayed");
-  if (packets == nullptr && options.is_realtime)
+  if (packets == nullptr && options.is_paced())
     throw Error(options.source, "holds scans, which cannot be replayed in real time",
-                "--realtime is for captures of packets");
-  run.is_live = packets != nullptr && (packets->is_live || options.is_realtime);
+                "--realtime and --speed are for captures of packets");
+  if (packets == nullptr && (options.part.is_given() || !options.calibration.empty()))
+    throw Error(
+        options.source, "holds scans",
+        "--start, --duration and --calibration are for packets; kitti.first and kitti.count choose scans");
+  if (options.speed && packets->is_live)
+    throw Error(options.source, "is live and keeps its own pace", "--speed is for captures of packets");
+  run.is_live = packets != nullptr && (packets->is_live || options.is_paced());
   if (!run.is_live && !config.record.file.empty())
     throw Error(config.record.file, "cannot be recorded: the source is not live",
                 "--record keeps the packets of a live run");
@@ -135,7 +145,7 @@ RunSummary go_live(Prepared& run,
   OpenPackets& open = *run.packets();
   for (const std::string& warning : open.warnings) observer.log().warn(warning);
   std::optional<PacedSource> paced;
-  if (!open.is_live) paced.emplace(*open.packets);
+  if (!open.is_live) paced.emplace(*open.packets, options.speed.value_or(1.0));
   PacketSource& source = paced ? *paced : *open.packets;
   std::optional<RecordingSource> recording;
   if (run.outlets.packets) recording.emplace(source, *run.outlets.packets);
@@ -174,6 +184,7 @@ int run_command(const RunOptions& options) {
 
   output::RunReport report =
       report_of(summary, options.source, config, run.packets() != nullptr, seconds_since(start));
+  report.is_live = run.is_live;
   const PcapRecorder* const recorded = run.outlets.packets.get();
   if (recorded != nullptr) report.facts.emplace_back("recorded", recording_fact(*recorded));
   recorder->finish(report);
@@ -226,6 +237,11 @@ void add_run_command(CLI::App& program, Action& action) {
   command.add_flag("--realtime", options->is_realtime,
                    "replay a capture at the pace of its recording, as if the sensor were live: poses are "
                    "published, and what comes too fast is dropped and counted");
+  command
+      .add_option("--speed", options->speed,
+                  "--realtime, but so many times as fast as it was recorded (0.1 to 100)")
+      ->check(CLI::Range(0.1, 100.0).description(""))
+      ->type_name("X");
   command
       .add_option("--record", options->record,
                   "keep the packets of a live run in this capture, which replays to the same trajectory")

@@ -17,6 +17,7 @@
 #include "pago/output/results_folder.hpp"
 #include "pago/output/text_file.hpp"
 #include "pago/pipeline/sweep_reader.hpp"
+#include "pago/report/evaluation_page.hpp"
 #include "progress_line.hpp"
 #include "settings.hpp"
 #include "signals.hpp"
@@ -76,14 +77,15 @@ class Judge {
 
   std::size_t num_frames() const { return comparisons_[0].frames.size(); }
 
-  /// Tables to the terminal, rows and the page, of this title, into the folder.
-  void report(const std::string& title, const std::filesystem::path& folder) const {
-    const std::array files{"protocol_a.csv", "protocol_b.csv"};
-    for (std::size_t i = 0; i < comparisons_.size(); ++i) {
-      std::cout << '\n' << ground_table(comparisons_[i]);
-      output::write_file(folder / files[i], ground_csv(comparisons_[i]));
+  /// Tables to the terminal, rows and the page into the folder; `part`: what the page's title adds.
+  void report(const std::string& source, const std::string& part, const std::filesystem::path& folder) const {
+    for (const GroundComparison& comparison : comparisons_) {
+      std::cout << '\n' << ground_table(comparison);
+      output::write_file(folder / ground_csv_name(comparison.protocol), ground_csv(comparison));
     }
-    output::write_file(folder / "index.html", evaluation::ground_page(title, comparisons_));
+    output::write_file(folder / "index.html",
+                       report::ground_page("Ground segmentation of " + source + part, comparisons_,
+                                           "pago " PAGO_VERSION " segment " + source));
   }
 
  private:
@@ -106,17 +108,6 @@ std::vector<Contender> contenders(const SegmentOptions& options,
   return result;
 }
 
-SweepReader reader_of(OpenSource& source, const Config& config) {
-  if (OpenPackets* const open = std::get_if<OpenPackets>(&source))
-    return {config, *open->packets, open->calibration};
-  return {config, *std::get<OpenFolder>(source).sweeps};
-}
-
-Progress progress_of(const OpenSource& source) {
-  if (const auto* open = std::get_if<OpenPackets>(&source)) return open->packets->progress();
-  return std::get<OpenFolder>(source).sweeps->progress();
-}
-
 /// As named, without the blanks about them. Throws Error where one is named twice: its files would be too.
 std::vector<std::string> distinct(const std::vector<std::string>& names) {
   std::vector<std::string> result;
@@ -129,11 +120,8 @@ std::vector<std::string> distinct(const std::vector<std::string>& names) {
   return result;
 }
 
-OpenSource open_recording(const SegmentOptions& options, Config& config) {
-  // Before it is opened: a live sensor's own calibration would be waited for.
-  if (is_live_name(options.source))
-    throw Error(options.source, "is live", "segment a recording: a capture, KITTI scans or sim:urban");
-  OpenSource source = open_source(options.source, config);
+OpenSource open_labelled(const SegmentOptions& options, Config& config) {
+  OpenSource source = open_recording(options.source, config);
   for (const std::string& method : options.methods) require_labels(source, options.source, method);
   return source;
 }
@@ -191,7 +179,7 @@ int segment_command(SegmentOptions options) {
   options.methods = distinct(options.methods);
   config.ground.method = options.methods.front();
   validate(config);
-  OpenSource source = open_recording(options, config);
+  OpenSource source = open_labelled(options, config);
   SweepReader reader = reader_of(source, config);
   const output::ResultsFolder results = output::create_results_folder(options.output);
   std::vector<Contender> methods = contenders(options, config, results.folder);
@@ -202,10 +190,8 @@ int segment_command(SegmentOptions options) {
     throw Error(options.source, reader.failure().empty() ? "holds no sweep" : reader.failure());
   print_shares(methods, done);
   std::cout << height_line(methods.front().stage.mount_report(), config.mount);
-  if (judge.num_frames() > 0) {
-    const std::string part = done.complaint().empty() ? "" : ", " + done.complaint();
-    judge.report("Ground segmentation of " + options.source + part, results.folder);
-  }
+  const std::string part = done.complaint().empty() ? "" : ", " + done.complaint();
+  if (judge.num_frames() > 0) judge.report(options.source, part, results.folder);
   std::cout << "files     " << results.folder.string() << '\n';
 
   std::vector<std::string> complaints{results.complaint, done.complaint(), reader.failure()};

@@ -30,6 +30,7 @@ struct PartOptions {
 
   void add_to(CLI::App& command);
   void apply(Config& config) const;
+  bool is_given() const noexcept { return start_s || duration_s; }
 };
 
 }  // namespace pago::app

@@ -19,8 +19,9 @@ void stop_on_signals() {
     std::signal(signal, SIG_DFL);
   };
   for (const int signal : {SIGINT, SIGTERM, SIGHUP}) std::signal(signal, handler);
-  // Whoever read the messages or poses may have gone: that is found where they are written.
-  std::signal(SIGPIPE, SIG_IGN);
+  // Whoever read the messages or poses may have gone, and files may have a limit: that is found where they
+  // are written.
+  for (const int signal : {SIGPIPE, SIGXFSZ}) std::signal(signal, SIG_IGN);
 }
 
 const std::atomic<bool>& stop_flag() noexcept {

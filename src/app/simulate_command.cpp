@@ -34,7 +34,7 @@ struct SimulateOptions {
 int simulate_command(const SimulateOptions& options) {
   constexpr std::string_view kPrefix = "sim:";
   if (!options.source.starts_with(kPrefix))
-    throw Error(options.source, "is no simulated drive", "give sim:urban, or sim:urban,seed=2,seconds=60");
+    throw Error(options.source, "is no simulated drive", "give sim:urban, or sim:rural,seed=2,seconds=60");
   Config config = options.settings.load();
   simulator::apply_drive_name(config, std::string_view(options.source).substr(kPrefix.size()));
   for (const std::string& assignment : options.assignments) set(config, assignment);
@@ -44,9 +44,8 @@ int simulate_command(const SimulateOptions& options) {
   stop_on_signals();
   ProgressLine line;
   const auto on_progress = [&](const Progress& progress) {
-    constexpr double kPacketsPerSecond = 1e9 / 288'000.0;
-    line.count_to(
-        static_cast<std::uint64_t>(progress.done / kPacketsPerSecond * config.simulator.rotation_hz));
+    const double sweeps = config.simulator.seconds * config.simulator.rotation_hz;
+    line.count_to(static_cast<std::uint64_t>(progress.done / progress.total * sweeps));
     line.show(progress);
   };
   if (!options.writes_files()) {

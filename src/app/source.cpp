@@ -166,6 +166,10 @@ OpenPackets open_simulated(const std::string& drive, Config&) {
 }
 #endif
 
+bool is_live_name(const std::string& name) {
+  return name.starts_with("udp:");
+}
+
 OpenSource open(const std::string& name, Config& config) {
   if (const auto drive = after(name, "sim")) return open_simulated(*drive, config);
   if (is_live_name(name)) return open_live(name, config);
@@ -203,10 +207,6 @@ std::optional<hdl64::Calibration> calibration_for(const fs::path& capture,
   return hdl64::load_calibration(file, config.hdl64.vertical_offset);
 }
 
-bool is_live_name(const std::string& name) {
-  return name.starts_with("udp:");
-}
-
 void require_labels(const OpenSource& source, const std::string& name, const std::string& method) {
   if (!ground::find_method(method).traits.needs_labels) return;
   std::string unlabelled;
@@ -224,6 +224,24 @@ OpenSource open_source(const std::string& name, Config& config) {
   OpenSource source = open(name, config);
   require_labels(source, name, config.ground.method);
   return source;
+}
+
+OpenSource open_recording(const std::string& name, Config& config) {
+  // Before it is opened: a live sensor's own calibration would be waited for.
+  if (is_live_name(name))
+    throw Error(name, "is live", "name a recording: a capture, KITTI scans or sim:urban");
+  return open_source(name, config);
+}
+
+SweepReader reader_of(OpenSource& source, const Config& config) {
+  if (OpenPackets* const open = std::get_if<OpenPackets>(&source))
+    return {config, *open->packets, open->calibration};
+  return {config, *std::get<OpenFolder>(source).sweeps};
+}
+
+Progress progress_of(const OpenSource& source) {
+  if (const auto* open = std::get_if<OpenPackets>(&source)) return open->packets->progress();
+  return std::get<OpenFolder>(source).sweeps->progress();
 }
 
 }  // namespace pago::app

@@ -13,6 +13,7 @@
 #include "pago/core/sources.hpp"
 #include "pago/hdl64/calibration.hpp"
 #include "pago/kitti/kitti_source.hpp"
+#include "pago/pipeline/sweep_reader.hpp"
 
 namespace pago::app {
 
@@ -45,8 +46,11 @@ std::optional<hdl64::Calibration> calibration_for(const std::filesystem::path& c
 /// Throws Error; also if the ground method of the configuration needs labels and the source has none.
 OpenSource open_source(const std::string& name, Config& config);
 
-/// Whether a source of this name is a live sensor; opens nothing.
-bool is_live_name(const std::string& name);
+/// The same of a recording, for tools that look at all of it; Error also for a live sensor.
+OpenSource open_recording(const std::string& name, Config& config);
+/// [set-up] Its sweeps; holds references to the source.
+SweepReader reader_of(OpenSource& source, const Config& config);
+Progress progress_of(const OpenSource& source);
 
 /// Throws Error if this ground method needs labels and a sweep of the source will have none.
 void require_labels(const OpenSource& source, const std::string& name, const std::string& method);

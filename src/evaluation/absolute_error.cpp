@@ -2,11 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "pago/evaluation/absolute_error.hpp"
 
-#include <algorithm>
 #include <array>
+#include <cmath>
 #include <vector>
 
 #include "pago/core/error.hpp"
+#include "pago/evaluation/statistics.hpp"
 #include "rotation.hpp"
 
 namespace pago::evaluation {
@@ -73,13 +74,6 @@ Eigen::Isometry3d align_pairs(const std::vector<PosePair>& pairs, Alignment alig
   }
 }
 
-double median_of(std::vector<double> values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  if (values.size() % 2 == 1) return *middle;
-  return 0.5 * (*middle + *std::max_element(values.begin(), middle));
-}
-
 }  // namespace
 
 std::string_view to_string(Alignment alignment) noexcept {
@@ -100,22 +94,24 @@ AbsoluteErrors absolute_errors(const MatchedTrajectories& matched, Alignment ali
 
   std::vector<double> distances_m;
   Eigen::Vector3d sum_axis_sq = Eigen::Vector3d::Zero(), sum_rpy_sq = Eigen::Vector3d::Zero();
-  double sum_m = 0.0, sum_angle_sq = 0.0;
+  double sum_angle_sq = 0.0;
   for (const PosePair& pair : pairs) {
     const Eigen::Isometry3d aligned = errors.T_truth_estimate * pair.estimate;
     const Eigen::Vector3d difference_m = aligned.translation() - pair.truth.translation();
     const Eigen::Matrix3d turned = pair.truth.linear().transpose() * aligned.linear();
     distances_m.push_back(difference_m.norm());
-    sum_m += difference_m.norm();
     sum_axis_sq += difference_m.cwiseAbs2();
     sum_rpy_sq += roll_pitch_yaw_rad(turned).cwiseAbs2();
     sum_angle_sq += log_so3(turned).squaredNorm();
   }
   const double n = static_cast<double>(pairs.size());
-  errors.rmse_m = std::sqrt(sum_axis_sq.sum() / n);
-  errors.mean_m = sum_m / n;
-  errors.median_m = median_of(distances_m);
-  errors.max_m = *std::max_element(distances_m.begin(), distances_m.end());
+  const Statistics distance_m = statistics_of(distances_m);
+  errors.rmse_m = distance_m.rmse;
+  errors.mean_m = distance_m.mean;
+  errors.median_m = distance_m.median;
+  errors.deviation_m = distance_m.deviation;
+  errors.min_m = distance_m.min;
+  errors.max_m = distance_m.max;
   errors.axis_rmse_m = (sum_axis_sq / n).cwiseSqrt();
   errors.rotation_rmse_rad = std::sqrt(sum_angle_sq / n);
   errors.axis_rotation_rmse_rad = (sum_rpy_sq / n).cwiseSqrt();

@@ -39,13 +39,27 @@ RowRange chosen_rows(const Trajectory& truth, const Trajectory& estimate, const 
   return *options.rows;
 }
 
+/// Between two rows with constant velocity and turn rate; nothing beyond either end.
+std::optional<Eigen::Isometry3d> pose_at_row(const Poses& poses, double row) {
+  const double before = std::floor(row);
+  if (before < 0.0 || row > static_cast<double>(poses.size() - 1)) return std::nullopt;
+  const auto first = static_cast<std::size_t>(before);
+  if (row == before) return poses[first].T_world_sensor;
+  return interpolate(poses[first].T_world_sensor, poses[first + 1].T_world_sensor, row - before);
+}
+
 MatchedTrajectories match_rows(const Trajectory& truth,
                                const Trajectory& estimate,
                                const MatchOptions& options) {
   const RowRange rows = chosen_rows(truth, estimate, options);
+  const double shift = options.instant_shift_rows;
   MatchedTrajectories matched{.poses = {}, .how = "by row"};
-  for (std::size_t row = rows.first; row <= rows.last; ++row)
-    matched.poses.push_back({row, truth.poses[row].T_world_sensor, estimate.poses[row].T_world_sensor});
+  if (shift != 0.0) matched.how += format(", truth carried on by %+g rows", shift);
+  for (std::size_t row = rows.first; row <= rows.last; ++row) {
+    const auto T_truth = pose_at_row(truth.poses, static_cast<double>(row) + shift);
+    const StampedPose& pose = estimate.poses[row];
+    if (T_truth) matched.poses.push_back({row, pose.stamp_ns, *T_truth, pose.T_world_sensor, row});
+  }
   return matched;
 }
 
@@ -94,11 +108,13 @@ std::vector<MatchedPose> on_truth(const Trajectory& truth,
     if (!is_chosen(pose, options)) continue;
     MatchedPose& matched = poses.emplace_back();
     matched.row = pose.row;
+    matched.stamp_ns = pose.stamp_ns;
     matched.T_world_sensor_truth = pose.T_world_sensor;
     const StampedPose& candidate = nearest(estimate.poses, *pose.stamp_ns);
-    if (nearest(truth.poses, *candidate.stamp_ns).row == pose.row)
-      matched.T_world_sensor_estimate =
-          pose_near(estimate.poses, *pose.stamp_ns, ns_of(options.max_difference_s));
+    if (nearest(truth.poses, *candidate.stamp_ns).row != pose.row) continue;
+    matched.T_world_sensor_estimate =
+        pose_near(estimate.poses, *pose.stamp_ns, ns_of(options.max_difference_s));
+    matched.estimate_row = candidate.row;
   }
   return poses;
 }
@@ -112,7 +128,7 @@ std::vector<MatchedPose> on_estimate(const Trajectory& truth,
   for (const StampedPose& pose : estimate.poses) {
     if (!is_chosen(pose, options)) continue;
     const auto found = truth_at(truth.poses, *pose.stamp_ns, ns_of(options.max_difference_s));
-    if (found) poses.push_back({pose.row, *found, pose.T_world_sensor});
+    if (found) poses.push_back({pose.row, pose.stamp_ns, *found, pose.T_world_sensor, pose.row});
   }
   return poses;
 }
@@ -132,26 +148,52 @@ std::string span_of(const Trajectory& trajectory) {
                 static_cast<double>(*trajectory.poses.back().stamp_ns) * 1e-9);
 }
 
+/// The estimate on the truth's clock.
+Trajectory on_clock_of_truth(const Trajectory& estimate, double offset_s) {
+  Trajectory shifted = estimate;
+  for (StampedPose& pose : shifted.poses) *pose.stamp_ns += ns_of(offset_s);
+  return shifted;
+}
+
+[[noreturn]] void refuse_clocks(const Trajectory& truth,
+                                const Trajectory& estimate,
+                                double max_difference_s) {
+  const double offset_s =
+      static_cast<double>(*truth.poses.front().stamp_ns - *estimate.poses.front().stamp_ns) * 1e-9;
+  throw Error(estimate.name, format("no stamp within %.3f s of one of ", max_difference_s) + truth.name,
+              "truth runs from " + span_of(truth) + ", the estimate from " + span_of(estimate) +
+                  format("; a time offset of %.3f s lets both begin together", offset_s));
+}
+
 MatchedTrajectories match_stamps(const Trajectory& truth,
-                                 const Trajectory& estimate,
+                                 const Trajectory& estimate_as_given,
                                  const MatchOptions& options) {
-  for (const Trajectory* trajectory : {&truth, &estimate})
+  for (const Trajectory* trajectory : {&truth, &estimate_as_given})
     if (!trajectory->has_stamps())
       throw Error(trajectory->name, "has no stamps to match by", "KITTI files need a times file for that");
+  if (options.instant_shift_rows != 0.0)
+    throw Error(estimate_as_given.name, "is matched by stamps, which say at which instant its poses hold",
+                "start, mid and end are for matching by row; by stamp give a time offset");
+  const Trajectory estimate = on_clock_of_truth(estimate_as_given, options.time_offset_s);
   const bool is_truth_denser = 2 * median_interval_ns(truth.poses) < median_interval_ns(estimate.poses);
   const bool is_on_estimate = options.interpolates_truth || is_truth_denser;
   MatchedTrajectories matched;
   matched.poses = is_on_estimate ? on_estimate(truth, estimate, options) : on_truth(truth, estimate, options);
   matched.how = format("by stamp within %.3f s%s", options.max_difference_s,
                        options.interpolates_truth ? ", truth interpolated" : "");
-  if (matched.num_matched() == 0)
-    throw Error(estimate.name,
-                format("no stamp within %.3f s of one of ", options.max_difference_s) + truth.name,
-                "truth runs from " + span_of(truth) + ", the estimate from " + span_of(estimate));
+  if (options.time_offset_s != 0.0) matched.how += format(", offset %+.3f s", options.time_offset_s);
+  if (matched.num_matched() == 0) refuse_clocks(truth, estimate, options.max_difference_s);
   return matched;
 }
 
 }  // namespace
+
+double parse_instant(std::string_view word) {
+  if (word == "start") return 0.0;
+  if (word == "mid") return 0.5;
+  if (word == "end") return 1.0;
+  throw Error("instant", "\"" + std::string(word) + "\" is not start, mid or end");
+}
 
 RowRange parse_row_range(std::string_view text) {
   RowRange range;
@@ -173,6 +215,8 @@ std::size_t MatchedTrajectories::num_matched() const noexcept {
 MatchedTrajectories match(const Trajectory& truth, const Trajectory& estimate, const MatchOptions& options) {
   for (const Trajectory* trajectory : {&truth, &estimate})
     if (trajectory->poses.empty()) throw Error(trajectory->name, "holds no pose");
+  if (!(std::abs(options.instant_shift_rows) <= 1.0))
+    throw Error("instant", format("%g rows is more than a sweep", options.instant_shift_rows));
   const bool is_by_stamp =
       options.matching == Matching::kStamp ||
       (options.matching == Matching::kAuto && truth.has_stamps() && estimate.has_stamps());

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "matched_paths.hpp"
 #include "pago/core/error.hpp"
 #include "pago/core/text.hpp"
 #include "rotation.hpp"
@@ -20,22 +21,11 @@ void bring_to_sensor(Trajectory& truth, Trajectory& estimate, const EvaluationOp
                 "holds poses of the camera, the other file poses of the sensor",
                 "give the calibration between them, KITTI's calib.txt");
   const Eigen::Isometry3d T_camera_sensor = options.T_camera_sensor.value_or(T_camera_sensor_axes());
+  if (is_truth_camera && options.T_truth_sensor)
+    throw Error(truth.name, "cannot hold poses of the camera and of another body at once");
+  if (options.T_truth_sensor) body_to_sensor(truth, *options.T_truth_sensor);
   if (is_truth_camera) camera_to_sensor(truth, T_camera_sensor);
   if (is_estimate_camera) camera_to_sensor(estimate, T_camera_sensor);
-}
-
-struct MatchedPaths {
-  std::vector<Eigen::Isometry3d> truth, estimate;
-};
-
-MatchedPaths paths_of(const MatchedTrajectories& matched) {
-  MatchedPaths paths;
-  for (const MatchedPose& pose : matched.poses) {
-    if (!pose.T_world_sensor_estimate) continue;
-    paths.truth.push_back(pose.T_world_sensor_truth);
-    paths.estimate.push_back(*pose.T_world_sensor_estimate);
-  }
-  return paths;
 }
 
 FinalDrift final_drift_of(const MatchedPaths& paths) {
@@ -63,6 +53,7 @@ std::vector<std::string> warnings_of(const Evaluation& e) {
         format("No relative error: the path of %.1f m is not longer than the shortest length, %g m; choose "
                "shorter lengths, for example 20,40,60.",
                e.truth_motion.path_length_m, shortest_m));
+  for (const MixUp& mix_up : e.mix_ups) warnings.push_back(mix_up.sentence());
   return warnings;
 }
 
@@ -89,7 +80,15 @@ Evaluation evaluate(Trajectory truth, Trajectory estimate, const EvaluationOptio
   e.relative = relative_errors(matched, options.segments);
   for (std::size_t i = 0; i < e.absolute.size(); ++i)
     e.absolute[i] = absolute_errors(matched, static_cast<Alignment>(i));
+  e.sub_trajectories = sub_trajectory_errors(matched, options.sub_trajectories);
+  e.pair_options = options.pairs;
+  e.pairs = pair_errors(matched, options.pairs);
   e.final_drift = final_drift_of(paths);
+  if (!estimate.motion_covariances.empty())
+    e.consistency = consistency_of(matched, estimate.motion_covariances);
+  e.course = course_of(matched, options.alignment);
+  e.course_alignment = options.alignment;
+  e.mix_ups = find_mix_ups(truth, estimate, options.match);
   e.warnings = warnings_of(e);
   return e;
 }

@@ -3,30 +3,32 @@
 #include "pago/evaluation/relative_error.hpp"
 
 #include <algorithm>
-#include <limits>
+#include <cmath>
+#include <functional>
+#include <iterator>
 
+#include "matched_paths.hpp"
+#include "no_value.hpp"
 #include "pago/core/error.hpp"
 #include "pago/core/text.hpp"
-#include "pago/evaluation/motion.hpp"
 #include "rotation.hpp"
 
 namespace pago::evaluation {
 namespace {
 
-constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
-
 void check(const SegmentOptions& options) {
   if (options.step_rows < 1) throw Error("step", "must be at least 1 row");
+  if (!(options.row_interval_s > 0.0 && std::isfinite(options.row_interval_s)))
+    throw Error("row interval", format("%g s is not greater than 0", options.row_interval_s));
   if (options.lengths_m.empty()) throw Error("lengths", "there is none");
   for (const double length_m : options.lengths_m)
     if (!(length_m > 0.0 && std::isfinite(length_m)))
       throw Error("lengths", format("%g m is not a length greater than 0", length_m));
 }
 
-std::vector<double> true_distances_m(const MatchedTrajectories& matched) {
-  std::vector<Eigen::Isometry3d> truth;
-  for (const MatchedPose& pose : matched.poses) truth.push_back(pose.T_world_sensor_truth);
-  return distances_m(truth);
+double duration_s(const MatchedPose& first, const MatchedPose& last, double row_interval_s) {
+  if (first.stamp_ns && last.stamp_ns) return static_cast<double>(*last.stamp_ns - *first.stamp_ns) * 1e-9;
+  return static_cast<double>(last.row - first.row) * row_interval_s;
 }
 
 SegmentError segment_error(const MatchedPose& first, const MatchedPose& last, double length_m) {
@@ -48,7 +50,8 @@ void add_segment(RelativeErrors& errors,
                  const MatchedTrajectories& matched,
                  const std::vector<double>& distance_m,
                  std::size_t first,
-                 double length_m) {
+                 double length_m,
+                 double row_interval_s) {
   const auto start = distance_m.begin() + static_cast<std::ptrdiff_t>(first);
   const auto end = std::upper_bound(start, distance_m.end(), *start + length_m);
   if (end == distance_m.end()) return;
@@ -61,17 +64,37 @@ void add_segment(RelativeErrors& errors,
   SegmentError& error = errors.segments.emplace_back(segment_error(from, to, length_m));
   error.first = first;
   error.last = last;
+  error.speed_m_per_s = length_m / duration_s(from, to, row_interval_s);
+}
+
+DriftRates rates_where(const RelativeErrors& errors, const std::function<bool(const SegmentError&)>& is_in) {
+  std::vector<SegmentError> segments;
+  std::copy_if(errors.segments.begin(), errors.segments.end(), std::back_inserter(segments), is_in);
+  return drift_rates(segments);
 }
 
 std::vector<DriftRates> rates_by_length(const RelativeErrors& errors, const std::vector<double>& lengths_m) {
   std::vector<DriftRates> rates;
   for (const double length_m : lengths_m) {
-    std::vector<SegmentError> segments;
-    std::copy_if(errors.segments.begin(), errors.segments.end(), std::back_inserter(segments),
-                 [length_m](const SegmentError& s) { return s.length_m == length_m; });
-    if (segments.empty()) continue;
-    rates.push_back(drift_rates(segments));
+    rates.push_back(rates_where(errors, [&](const SegmentError& s) { return s.length_m == length_m; }));
     rates.back().length_m = length_m;
+    if (rates.back().num_segments == 0) rates.pop_back();
+  }
+  return rates;
+}
+
+std::vector<DriftRates> rates_by_speed(const RelativeErrors& errors) {
+  constexpr double kStep = 2.0, kHalfWidth = 2.0, kFastest = 100.0;
+  constexpr std::size_t kFewest = 3;
+  double fastest = 0.0;
+  for (const SegmentError& segment : errors.segments)
+    fastest = std::clamp(segment.speed_m_per_s, fastest, kFastest);
+  std::vector<DriftRates> rates;
+  for (double speed = kStep; speed < fastest + kHalfWidth; speed += kStep) {
+    rates.push_back(rates_where(
+        errors, [&](const SegmentError& s) { return std::abs(s.speed_m_per_s - speed) < kHalfWidth; }));
+    rates.back().speed_m_per_s = speed;
+    if (rates.back().num_segments < kFewest) rates.pop_back();
   }
   return rates;
 }
@@ -87,7 +110,7 @@ DriftRates drift_rates(const std::vector<SegmentError>& segments) {
     rates.axis_percent += segment.translation_per_axis.cwiseAbs();
     rates.axis_deg_per_100m += segment.rotation_rad_per_m_per_axis.cwiseAbs();
   }
-  const double n = segments.empty() ? kNaN : static_cast<double>(segments.size());
+  const double n = segments.empty() ? kNoValue : static_cast<double>(segments.size());
   rates.t_rel_percent *= 100.0 / n;
   rates.axis_percent *= 100.0 / n;
   rates.r_rel_deg_per_100m *= 100.0 * kDegPerRad / n;
@@ -100,9 +123,11 @@ RelativeErrors relative_errors(const MatchedTrajectories& matched, const Segment
   const std::vector<double> distance_m = true_distances_m(matched);
   RelativeErrors errors;
   for (std::size_t first = 0; first < distance_m.size(); first += static_cast<std::size_t>(options.step_rows))
-    for (const double length_m : options.lengths_m) add_segment(errors, matched, distance_m, first, length_m);
+    for (const double length_m : options.lengths_m)
+      add_segment(errors, matched, distance_m, first, length_m, options.row_interval_s);
   errors.overall = drift_rates(errors.segments);
   errors.by_length = rates_by_length(errors, options.lengths_m);
+  errors.by_speed = rates_by_speed(errors);
   return errors;
 }
 

@@ -125,6 +125,10 @@ Eigen::Isometry3d read_kitti_calibration(const std::filesystem::path& file) {
   return pose_of_kitti(rows.front().numbers.data(), name + " Tr");
 }
 
+void body_to_sensor(Trajectory& trajectory, const Eigen::Isometry3d& T_body_sensor) {
+  for (StampedPose& pose : trajectory.poses) pose.T_world_sensor = pose.T_world_sensor * T_body_sensor;
+}
+
 void camera_to_sensor(Trajectory& trajectory, const Eigen::Isometry3d& T_camera_sensor) {
   const Eigen::Isometry3d T_sensor_camera = T_camera_sensor.inverse();
   for (StampedPose& pose : trajectory.poses)

@@ -134,7 +134,7 @@ inline void sort_echoes(const RawLanes& first,
     a.intensity[i] = strong_intensity;
     b.raw[i] = are_two ? weak : 0;
     b.intensity[i] = weak_intensity;
-    echo_a[i] = are_two & weak_is_last ? kNotLast : 0;
+    echo_a[i] = (are_two & weak_is_last) ? kNotLast : 0;
     echo_b[i] = static_cast<std::uint8_t>(weak_is_last ? kNotStrongest : kNotStrongest | kNotLast);
   }
 }

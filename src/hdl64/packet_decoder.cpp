@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "pago/hdl64/packet_decoder.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "lanes.hpp"
@@ -16,16 +17,21 @@ constexpr double kNearLimit_m = 25.0;  // beyond, the far point's distCorrection
 constexpr double kFocalReach_m = 131.0;
 constexpr std::int32_t kNever = 1 << 20;  // above every raw distance
 
+/// A raw distance within one of where its range is `range_m`.
+std::int32_t raw_near(double range_m, double distance_m, double lsb_m) {
+  return static_cast<std::int32_t>(std::clamp((range_m - distance_m) / lsb_m, 0.0, 65'536.0));
+}
+
 /// The smallest raw distance, at least 1, whose range is not below `range_m`.
 std::int32_t first_raw_at(double range_m, double distance_m, double lsb_m) {
-  std::int32_t raw = 1;
+  std::int32_t raw = std::max(1, raw_near(range_m, distance_m, lsb_m) - 1);
   while (raw <= 0xFFFF && raw * lsb_m + distance_m < range_m) ++raw;
   return raw;
 }
 
 /// The largest raw distance whose range is not above `range_m`.
 std::int32_t last_raw_at(double range_m, double distance_m, double lsb_m) {
-  std::int32_t raw = 0xFFFF;
+  std::int32_t raw = std::min(0xFFFF, raw_near(range_m, distance_m, lsb_m) + 1);
   while (raw > 0 && raw * lsb_m + distance_m > range_m) --raw;
   return raw;
 }

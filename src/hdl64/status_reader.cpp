@@ -17,8 +17,6 @@ constexpr std::size_t kParameterByte = 7 * 256;  // behind the lasers: the calib
 constexpr std::uint16_t kLengthWord = 1820;
 /// More packets than this cannot be counted by the clock: their period is known to 2e-5 only.
 constexpr std::int64_t kMostPacketsOn = 20'000;
-/// A byte that was seen so often must be contradicted as often to be changed.
-constexpr std::uint8_t kMostVotes = 3;
 /// Contradictions weigh four packets that fit: damaged bytes are rarer, a wrong place shows in most packets.
 constexpr int kContradiction = 4, kLost = 16;
 
@@ -95,7 +93,7 @@ void StatusReader::add(std::uint8_t type, std::uint8_t value, std::int64_t packe
     is_placed_ = true;
   }
   index_ = index;
-  vote(places_[index], type, value);
+  vote(index, type, value);
   if (value == '#') look_for_start();
   const bool is_end_of_cycle = index % kCyclePackets == kCyclePackets - 1;
   if (is_end_of_cycle && start_ && is_news_ && num_filled_ == kRoundPackets) conclude();
@@ -104,6 +102,7 @@ void StatusReader::add(std::uint8_t type, std::uint8_t value, std::int64_t packe
 void StatusReader::lose_place() noexcept {
   places_ = {};
   num_filled_ = 0;
+  num_with_votes_ = {};
   start_.reset();
   contradictions_ = 0;
   is_placed_ = false;
@@ -117,18 +116,22 @@ bool StatusReader::contradicts(std::size_t index, std::uint8_t type) const noexc
          (places_[index].votes > 0 && places_[index].type != type);
 }
 
-void StatusReader::vote(Place& place, std::uint8_t type, std::uint8_t value) noexcept {
+void StatusReader::vote(std::size_t index, std::uint8_t type, std::uint8_t value) noexcept {
+  Place& place = places_[index];
+  const bool is_of_round = index % kCyclePackets >= kFirstSlot;  // the rest is the cycle's own: time, GPS
   if (place.votes == 0) {
     ++num_filled_;
+    num_with_votes_[0] += is_of_round ? 1U : 0U;
     place = {type, value, 1};
   } else if (place.value == value && place.type == type) {
     if (place.votes == kMostVotes) return;
-    ++place.votes;
+    num_with_votes_[place.votes++] += is_of_round ? 1U : 0U;
     if (has_calibration()) return;
-  } else if (--place.votes == 0) {
-    place = {type, value, 1};
-  } else {
+  } else if (place.votes > 1) {
+    num_with_votes_[--place.votes] -= is_of_round ? 1U : 0U;
     return;
+  } else {
+    place = {type, value, 1};
   }
   is_news_ = true;
 }
@@ -192,23 +195,28 @@ void StatusReader::look_for_start() noexcept {
 void StatusReader::conclude() noexcept {
   is_news_ = false;
   read_parameters();
-  std::uint16_t crc = 0;
-  for (std::size_t laser = 0; laser < 64; ++laser)
-    for (std::size_t i = 1; i < kLaserBytes; ++i)
-      add_to_crc(crc, place(7 * (1 + kLaserCycles * laser) + i).value);
-  const std::uint16_t sent = word(kBytes - 2);
-  const std::uint8_t votes = least_votes();
-  Checksum checksum = Checksum::kNone;
-  if (crc == sent)
-    checksum = Checksum::kCrc;
-  else if (sent == kLengthWord && votes >= 2)
-    checksum = Checksum::kLength;
-  else if (sent != kLengthWord && votes >= kMostVotes)
-    checksum = Checksum::kAgreed;
+  const Checksum checksum = check();
   if (checksum == Checksum::kNone || !read_lasers()) return;
   checksum_ = checksum;
   ++readings_;
   if (checksum == Checksum::kLength) status_.warnings = place(kParameterByte + 24).value;
+}
+
+Checksum StatusReader::check() const noexcept {
+  const auto all_have_votes = [this](std::size_t votes) { return num_with_votes_[votes - 1] == kBytes; };
+  const std::uint16_t sent = word(kBytes - 2);
+  if (sent == kLengthWord) return all_have_votes(2) ? Checksum::kLength : Checksum::kNone;
+  if (crc_of_lasers() == sent) return Checksum::kCrc;
+  return all_have_votes(kMostVotes) ? Checksum::kAgreed : Checksum::kNone;
+}
+
+/// Their numbers are not part of it.
+std::uint16_t StatusReader::crc_of_lasers() const noexcept {
+  std::uint16_t crc = 0;
+  for (std::size_t laser = 0; laser < 64; ++laser)
+    for (std::size_t i = 1; i < kLaserBytes; ++i)
+      add_to_crc(crc, place(kCycleBytes * (1 + kLaserCycles * laser) + i).value);
+  return crc;
 }
 
 const StatusReader::Place& StatusReader::place(std::size_t byte) const noexcept {
@@ -218,12 +226,6 @@ const StatusReader::Place& StatusReader::place(std::size_t byte) const noexcept 
 
 std::uint16_t StatusReader::word(std::size_t byte) const noexcept {
   return static_cast<std::uint16_t>(place(byte).value | place(byte + 1).value << 8U);
-}
-
-std::uint8_t StatusReader::least_votes() const noexcept {
-  std::uint8_t least = kMostVotes;
-  for (std::size_t byte = 0; byte < kBytes; ++byte) least = std::min(least, place(byte).votes);
-  return least;
 }
 
 bool StatusReader::read_lasers() noexcept {

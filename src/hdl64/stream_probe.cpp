@@ -18,6 +18,15 @@ std::uint16_t azimuth_cdeg(std::span<const std::uint8_t> packet, int block) noex
   return u16(packet, static_cast<std::size_t>(block) * kBlockBytes + 2);
 }
 
+bool is_alternating(std::span<const std::uint8_t> packet) noexcept {
+  unsigned differences = 0;
+  for (std::size_t block = 0; block < kBlocks; block += 2) {
+    differences |= u16(packet, block * kBlockBytes) ^ unsigned { kUpperBlock };
+    differences |= u16(packet, (block + 1) * kBlockBytes) ^ unsigned { kLowerBlock };
+  }
+  return differences == 0;
+}
+
 /// The early trailer: two bytes of counter or temperature, then "DegC" or a version such as "V25b" (2008
 /// manual, p. 7 and 21).
 bool has_text_trailer(std::span<const std::uint8_t> packet) noexcept {
@@ -53,15 +62,14 @@ bool is_about(std::int64_t period_ns, std::int64_t nominal_ns) noexcept {
 }  // namespace
 
 StreamProbe::Flags StreamProbe::classify(std::span<const std::uint8_t> packet) noexcept {
-  int upper = 0, lower = 0, further = 0, in_turn = 0;
+  if (is_alternating(packet)) return kAlternating;
+  int upper = 0, lower = 0, further = 0;
   for (int block = 0; block < kBlocks; ++block) {
     const std::uint16_t flag = u16(packet, static_cast<std::size_t>(block) * kBlockBytes);
     upper += flag == kUpperBlock;
     lower += flag == kLowerBlock;
     further += flag == 0xCCFF || flag == 0xBBFF;  // banks of lasers 64-95 and 96-127
-    in_turn += flag == (block % 2 == 0 ? kUpperBlock : kLowerBlock);
   }
-  if (in_turn == kBlocks) return kAlternating;
   if (upper == kBlocks) return kUpperOnly;
   if (upper + lower == kBlocks && upper > lower) return kMoreUpper;
   return further >= 2 && upper + lower + further == kBlocks ? kFourBanks : kOther;

@@ -135,22 +135,22 @@ void MapWriter::store(const Corner& corner, Tile& tile) {
 }
 
 void MapWriter::write(const std::string& name) {
-  const std::filesystem::path file = folder_ / name, unfinished = folder_ / (name + ".new");
-  TextFile out(unfinished);
+  replace_file(folder_ / name, [this](const std::filesystem::path& unfinished) { write_to(unfinished); });
+}
+
+void MapWriter::write_to(const std::filesystem::path& file) {
+  TextFile out(file);
   out.write(map_header(num_points_));
   std::string bytes;
   for (const auto& [corner, tile] : tiles_) {
     if (!read(corner, tile, [&](const std::string& stored) { out.write(stored); }))
-      throw Error(file_of(corner).string(), "cannot be read back: " + file.string() + " is not written");
+      throw Error(file_of(corner).string(), "cannot be read back: the map is not written");
     bytes.clear();
     for (const PlyPoint& point : tile.points) append(bytes, point);
     out.write(bytes);
   }
   out.flush();
   out.throw_if_incomplete();
-  std::error_code fault;
-  std::filesystem::rename(unfinished, file, fault);
-  if (fault) throw Error(file.string(), "cannot be replaced: " + fault.message());
 }
 
 void MapWriter::clear() {

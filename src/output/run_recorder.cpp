@@ -17,6 +17,7 @@ RunRecorder::RunRecorder(const std::filesystem::path& folder,
       front_end_(folder, "front_end"),
       first_(folder, "odometry"),
       refined_(folder, "trajectory"),
+      poses_(folder / "poses.csv"),
       latency_(folder / "latency.csv"),
       trace_(static_cast<std::size_t>(config.trace_sweeps), threads) {
   if (config.map.save) map_.emplace(folder, config.map);
@@ -43,6 +44,7 @@ void RunRecorder::add(const SweepRecord& record) {
     front_end_.write(record.stamp_ns, record.T_odom_sensor_front_end);
     first_.write(record.stamp_ns, record.T_odom_sensor_first);
     refined_.write(record.stamp_ns, record.T_odom_sensor_refined);
+    poses_.write(record);
   }
   if (Clock::now() >= next_flush_) flush();
 }
@@ -51,6 +53,7 @@ void RunRecorder::flush() noexcept {
   front_end_.flush();
   first_.flush();
   refined_.flush();
+  poses_.flush();
   latency_.flush();
   next_flush_ = Clock::now() + flush_interval_;
 }
@@ -74,12 +77,8 @@ std::string RunRecorder::save_trace() {
 
 void RunRecorder::write_at_end(const char* name, const std::string& text) {
   try {
-    // Under another name first: a report that is replaced is there all the time, whole.
-    const std::filesystem::path file = folder_ / name, unfinished = folder_ / (std::string(name) + ".new");
-    write_file(unfinished, text);
-    std::error_code fault;
-    std::filesystem::rename(unfinished, file, fault);
-    if (fault) throw Error(file.string(), "cannot be replaced: " + fault.message());
+    replace_file(folder_ / name,
+                 [&](const std::filesystem::path& unfinished) { write_file(unfinished, text); });
   } catch (const Error& error) {
     end_complaints_.emplace_back(error.what());
   }
@@ -96,8 +95,8 @@ void RunRecorder::write_map(const std::string& name) {
 
 std::vector<std::string> RunRecorder::complaints() const {
   std::vector<std::string> complaints;
-  for (const std::string& complaint :
-       {front_end_.complaint(), first_.complaint(), refined_.complaint(), latency_.complaint()})
+  for (const std::string& complaint : {front_end_.complaint(), first_.complaint(), refined_.complaint(),
+                                       poses_.complaint(), latency_.complaint()})
     if (!complaint.empty()) complaints.push_back(complaint);
   if (map_ && !map_->complaint().empty()) complaints.push_back(map_->complaint());
   complaints.insert(complaints.end(), end_complaints_.begin(), end_complaints_.end());

@@ -36,8 +36,10 @@ std::string packets(const RunReport& report) {
   if (report.packets) {
     const PacketCounters& c = *report.packets;
     text += format("packets   %" PRIu64 " decoded of %" PRIu64 ", %" PRIu64 " duplicate, %" PRIu64 " late",
-                   c.decoded, c.received, c.duplicate, c.late) +
-            by_cause<PacketFault>("bad", c.bad_total(), c.bad) + check(c.balanced());
+                   c.decoded, c.received, c.duplicate, c.late);
+    if (c.filtered != 0) text += format(", %" PRIu64 " of other senders", c.filtered);
+    if (c.pending != 0) text += format(", %" PRIu64 " held back", c.pending);
+    text += by_cause<PacketFault>("bad", c.bad_total(), c.bad) + check(c.balanced());
   }
   if (report.source_counters && report.source_counters->kernel_dropped != 0)
     text += format("kernel    %" PRIu64 " datagrams dropped: the receive buffer was full\n",
@@ -74,15 +76,16 @@ std::string columns(const LatencySummary& s) {
                 milliseconds(s.p99_ns), milliseconds(s.max_ns));
 }
 
-std::string latency(const LatencyReport& report) {
-  std::string text =
-      "latency ms      cpu p50      p90      p99      max     wall p50      p90      p99      max\n";
+std::string latency(const LatencyReport& report, bool is_live) {
+  std::string text = "latency ms      cpu p50      p90      p99      max";
+  text += is_live ? "     wall p50      p90      p99      max\n" : "\n";
   for (std::size_t i = 0; i < kNumStages; ++i) {
     const LatencyReport::Stage& stage = report.stages[i];
     if (stage.run.count() == 0) continue;
     text += format("  %-12s", std::string(stage_name(static_cast<StageId>(i))).c_str()) +
-            columns(summarize(stage.cpu)) + "    " + columns(summarize(stage.run)) + "\n";
+            columns(summarize(stage.cpu)) + (is_live ? "    " + columns(summarize(stage.run)) : "") + "\n";
   }
+  if (!is_live) return text;
   const std::string blank(40, ' ');
   if (report.first_pose.count() != 0)
     text += "  first pose  " + blank + columns(summarize(report.first_pose)) + "\n";
@@ -96,8 +99,8 @@ std::string latency(const LatencyReport& report) {
 std::string run_summary(const RunReport& report,
                         const RunTotals& totals,
                         const std::filesystem::path& folder) {
-  std::string text =
-      sweeps(report.sweeps) + packets(report) + trajectory(totals) + map(totals) + latency(totals.latency);
+  std::string text = sweeps(report.sweeps) + packets(report) + trajectory(totals) + map(totals) +
+                     latency(totals.latency, report.is_live);
   if (!report.complaint.empty()) text += "problem   " + report.complaint + "\n";
   return text + "files     " + folder.string() + "\n";
 }

@@ -57,4 +57,18 @@ void write_file(const std::filesystem::path& path, std::string_view bytes) {
   file.throw_if_incomplete();
 }
 
+void replace_file(const std::filesystem::path& path,
+                  const std::function<void(const std::filesystem::path& unfinished)>& write) {
+  const std::filesystem::path unfinished = path.string() + ".new";
+  std::error_code fault;
+  try {
+    write(unfinished);
+    std::filesystem::rename(unfinished, path, fault);
+    if (fault) throw Error(path.string(), "cannot be replaced: " + fault.message());
+  } catch (...) {
+    std::filesystem::remove(unfinished, fault);
+    throw;
+  }
+}
+
 }  // namespace pago::output

@@ -171,6 +171,7 @@ TEST_CASE("what keeps a live run from starting is said in one line, before anyth
   require_one_line_and_code_2(run(free + " --record no/folder/live.pcap"), "no/folder/live.pcap");
   require_one_line_and_code_2(run("run street.pcap --record live.pcap"), "not live");
   require_one_line_and_code_2(run("run street.pcap --realtime --record street.pcap"), "is the source");
+  require_one_line_and_code_2(run(free + " --speed 2"), "is live and keeps its own pace");
   require_one_line_and_code_2(run("record street.pcap -o live.pcap"), "is no live sensor");
   require_one_line_and_code_2(run("ctl status --socket nobody"), "no running pago listens there");
   require_one_line_and_code_2(run("ctl dance"), "dance");
@@ -195,4 +196,16 @@ TEST_CASE("a capture replayed in real time behaves as live, scans cannot be", "[
   const std::size_t first = outcome.err.find(kWarning);
   REQUIRE(first != std::string::npos);
   CHECK(outcome.err.find(kWarning, first + 1) == std::string::npos);  // said when it falls, and not again
+}
+
+TEST_CASE("a capture replayed at a quarter of its pace takes four times as long", "[app][live]") {
+  const StreetFolder folder;
+  const auto start = std::chrono::steady_clock::now();
+  const Outcome outcome = run_pago(
+      folder.path(), "run street.pcap --speed 0.25 --set control.socket=none --set publish.shared_memory=");
+  const std::chrono::duration<double> took = std::chrono::steady_clock::now() - start;
+  INFO(outcome.out << outcome.err);
+  REQUIRE(outcome.exit_code == 0);
+  const double recorded_s = static_cast<double>(folder.num_packets() - 1) * 288e-6;
+  CHECK(took.count() >= 4.0 * recorded_s);  // no faster; how much slower depends on the machine
 }

@@ -70,6 +70,11 @@ TEST_CASE("an unknown key or section is refused with its line and the nearest kn
   CHECK(complaint_about("zzzzzzzzzz = 1") == "f.toml:1: unknown key zzzzzzzzzz");
 }
 
+TEST_CASE("a table without a name is refused, whatever stands in its place", "[config][load]") {
+  for (const auto* toml : {"[;", "[;]\nx = 1", "[=]", "[[;]]", "[\x01", "x.;=1"})
+    CHECK(complaint_about(toml).starts_with("f.toml:1: "));
+}
+
 TEST_CASE("a value of the wrong type is refused with what it must be", "[config][load]") {
   CHECK(complaint_about("hdl64.min_range_m = \"far\"") ==
         "f.toml:1: hdl64.min_range_m must be a number from 0 to 10, is \"far\"");

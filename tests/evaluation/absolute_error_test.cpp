@@ -124,7 +124,7 @@ TEST_CASE("degenerate paths have finite errors", "[evaluation][absolute_error]")
 
 TEST_CASE("without a matched pose there is no error but an Error", "[evaluation][absolute_error]") {
   MatchedTrajectories matched;
-  matched.poses.push_back({0, Eigen::Isometry3d::Identity(), std::nullopt});
+  matched.poses.push_back({0, std::nullopt, Eigen::Isometry3d::Identity(), std::nullopt});
   CHECK_THROWS_AS(absolute_errors(matched, Alignment::kSe3), pago::Error);
 }
 

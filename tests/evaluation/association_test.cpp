@@ -122,4 +122,43 @@ TEST_CASE("matching by stamp needs stamps", "[evaluation][association]") {
   CHECK(match(plain, stamped(9, 0, kMs, "b"), {}).how == "by row");
 }
 
+TEST_CASE("truth of another instant is carried on to the estimate's", "[evaluation][association]") {
+  // 1 m per row at a turn rate, seen at the sweeps' middles and at their ends.
+  const Eigen::Isometry3d half = planar(0.5, 0.02, 0.05);
+  const Trajectory fine = chain(half, 20, "fine");
+  Trajectory mid{.name = "mid", .poses = {}}, end{.name = "end", .poses = {}};
+  for (std::size_t i = 0; i < 10; ++i) {
+    mid.poses.push_back({std::nullopt, fine.poses[2 * i].T_world_sensor, i});
+    end.poses.push_back({std::nullopt, fine.poses[2 * i + 1].T_world_sensor, i});
+  }
+  MatchOptions options;
+  options.instant_shift_rows = parse_instant("end") - parse_instant("mid");
+  const MatchedTrajectories matched = match(mid, end, options);
+  CHECK(matched.how == "by row, truth carried on by +0.5 rows");
+  REQUIRE(matched.poses.size() == 9);  // the last end is beyond the last middle
+  for (const MatchedPose& pose : matched.poses)
+    CHECK((pose.T_world_sensor_truth.matrix() - pose.T_world_sensor_estimate->matrix()).norm() < 1e-12);
+  options.instant_shift_rows = -0.5;
+  CHECK(match(end, mid, options).poses.front().row == 1);
+  options.instant_shift_rows = 1.5;
+  CHECK_THROWS_AS(match(end, mid, options), pago::Error);
+  CHECK(parse_instant("start") == 0.0);
+  CHECK_THROWS_AS(parse_instant("middle"), pago::Error);
+}
+
+TEST_CASE("a time offset brings two clocks together, and the refusal names it", "[evaluation][association]") {
+  const Trajectory truth = stamped(9, kStart_ns, 100 * kMs, "truth"),
+                   estimate = stamped(9, 5'000 * kMs, 100 * kMs, "estimate");
+  CHECK_THROWS_WITH(match(truth, estimate, {}), Contains("a time offset of 1317378029.500 s"));
+  MatchOptions options;
+  options.time_offset_s = 1317378029.5;
+  const MatchedTrajectories matched = match(truth, estimate, options);
+  CHECK(matched.num_matched() == 10);
+  CHECK(matched.poses[3].stamp_ns == truth.poses[3].stamp_ns);
+  CHECK(matched.poses[3].estimate_row == 3);
+  CHECK_THAT(matched.how, Contains("offset +1317378029.500 s"));
+  options.instant_shift_rows = 0.5;
+  CHECK_THROWS_WITH(match(truth, estimate, options), Contains("by stamp give a time offset"));
+}
+
 }  // namespace

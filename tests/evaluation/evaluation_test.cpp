@@ -130,4 +130,60 @@ TEST_CASE("rows chosen where the estimate has nothing are refused", "[evaluation
   CHECK_THROWS_AS(evaluate(truth, estimate, options), pago::Error);
 }
 
+TEST_CASE("the figures of rpg, evo and the covariance are in both reports", "[evaluation][report]") {
+  const Trajectory truth = town_drive(300, "truth.txt");
+  Trajectory estimate = drifting(truth, 2);
+  estimate.motion_covariances.assign(300, pago::Matrix6d::Identity() * 1e-4);
+  const Evaluation e = evaluate(truth, estimate, short_lengths());
+  REQUIRE(e.consistency);
+  const std::string report = evaluation_report(e);
+  for (const char* words :
+       {"rpg's sub-trajectories", "tilt, deg", "evo's pairs, one after the other, 100 m along",
+        "point distance, m", "NEES: 6 when right", "error / sigma  x "})
+    CHECK_THAT(report, Contains(words));
+  const auto json = nlohmann::json::parse(evaluation_json(e));
+  CHECK(json["sub_trajectories"].size() == 5);
+  CHECK(json["sub_trajectories"][2]["translation_percent"]["mean"] ==
+        e.sub_trajectories[2].translation_percent.mean);
+  CHECK(json["pairs"]["translation_m"]["rmse"] == e.pairs.translation_m.rmse);
+  CHECK(json["pairs"]["delta_m"] == 100.0);
+  CHECK(json["covariance"]["nees"] == e.consistency->nees);
+  CHECK(json["relative"]["by_speed"].size() == e.relative.by_speed.size());
+  CHECK(json["absolute"][0]["std_m"] == e.absolute[0].deviation_m);
+  CHECK(json["mix_ups"].empty());
+  estimate.motion_covariances.clear();
+  const Evaluation without = evaluate(truth, estimate, short_lengths());
+  CHECK(nlohmann::json::parse(evaluation_json(without))["covariance"].is_null());
+  CHECK_THAT(evaluation_report(without), !Contains("NEES"));
+}
+
+TEST_CASE("truth of the body that carries the sensor is brought to the sensor", "[evaluation][report]") {
+  const Trajectory sensor = town_drive(300, "sensor.txt");
+  Eigen::Isometry3d T_body_sensor = planar(1.2, -0.3, 0.5);
+  T_body_sensor.translation().z() = 1.7;
+  Trajectory body = sensor;
+  body_to_sensor(body, T_body_sensor.inverse());
+  CHECK(evaluate(body, sensor, short_lengths()).mix_ups.size() > 0);
+  EvaluationOptions options = short_lengths();
+  options.T_truth_sensor = T_body_sensor;
+  const Evaluation e = evaluate(body, sensor, options);
+  CHECK(e.ate(Alignment::kNone).rmse_m < 1e-9);
+  CHECK(e.mix_ups.empty());
+  options.truth_frame = PoseFrame::kCamera;
+  options.T_camera_sensor = T_camera_sensor_axes();
+  CHECK_THROWS_WITH(evaluate(body, sensor, options), Contains("camera and of another body"));
+}
+
+TEST_CASE("a mix-up is a warning with its evidence", "[evaluation][report]") {
+  const Trajectory truth = town_drive(300, "truth.txt");
+  Trajectory camera = truth;
+  camera_to_sensor(camera, T_camera_sensor_axes().inverse());
+  const Evaluation e = evaluate(truth, camera, short_lengths());
+  REQUIRE(e.warnings.size() == 1);
+  CHECK_THAT(e.warnings[0], Contains("The estimate seems to hold poses of KITTI's camera") &&
+                                Contains("% less") && Contains("--estimate-frame camera"));
+  CHECK_THAT(evaluation_report(e), Contains("note: The estimate seems"));
+  CHECK(nlohmann::json::parse(evaluation_json(e))["mix_ups"].size() == 1);
+}
+
 }  // namespace

@@ -68,6 +68,20 @@ inline Trajectory drifting(const Trajectory& truth, unsigned seed) {
   return trajectory_of(poses, "drifting");
 }
 
+/// A car in a town at 10 poses per second: smooth in speed, turns to both sides, pitches and rolls a little.
+inline Trajectory town_drive(int poses, const std::string& name) {
+  std::vector<Eigen::Isometry3d> path{Eigen::Isometry3d::Identity()};
+  for (int i = 1; i < poses; ++i) {
+    const double t = 0.1 * i, speed = 8.0 + 4.0 * std::sin(0.3 * t) + 1.5 * std::sin(1.1 * t);
+    const double yaw_rate = 0.4 * std::sin(0.21 * t) * std::sin(0.47 * t + 1.0);
+    Eigen::Isometry3d step = planar(0.1 * speed, 0.0, 0.1 * yaw_rate);
+    step.rotate(Eigen::AngleAxisd(2e-3 * std::cos(1.7 * t), Eigen::Vector3d::UnitY()) *
+                Eigen::AngleAxisd(3e-3 * std::cos(1.3 * t), Eigen::Vector3d::UnitX()));
+    path.push_back(path.back() * step);
+  }
+  return trajectory_of(path, name);
+}
+
 inline Trajectory moved(const Eigen::Isometry3d& T, Trajectory trajectory) {
   for (StampedPose& pose : trajectory.poses) pose.T_world_sensor = T * pose.T_world_sensor;
   return trajectory;

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "pago/evaluation/relative_error.hpp"
 
+#include <algorithm>
 #include <complex>
 #include <numbers>
 
@@ -152,6 +153,39 @@ TEST_CASE("lengths and steps that make no sense are refused", "[evaluation][rela
   CHECK_THROWS_AS(score({.lengths_m = {-1}, .step_rows = 10}), pago::Error);
   CHECK_THROWS_AS(score({.lengths_m = {std::nan("")}, .step_rows = 10}), pago::Error);
   CHECK_THROWS_AS(score({.lengths_m = {100}, .step_rows = 0}), pago::Error);
+}
+
+TEST_CASE("segments are sorted by their speed, each into two neighbours", "[evaluation][relative_error]") {
+  // 200 m at 5 m/s, then 200 m at 12.4 m/s, at ten rows per second; 1 % too long in the slow half alone.
+  std::vector<Eigen::Isometry3d> truth{Eigen::Isometry3d::Identity()}, estimate = truth;
+  for (int i = 0; i < 561; ++i) {
+    const double step_m = i < 400 ? 0.5 : 1.24;
+    truth.push_back(truth.back() * planar(step_m, 0, 0));
+    estimate.push_back(estimate.back() * planar(i < 400 ? 1.01 * step_m : step_m, 0, 0));
+  }
+  Trajectory a = trajectory_of(truth, "truth"), b = trajectory_of(estimate, "estimate");
+  const SegmentOptions options{.lengths_m = {20}, .step_rows = 10};
+  const auto by_speed = relative_errors(by_row(a, b), options).by_speed;
+  const auto at = [&](double speed) {
+    return std::find_if(by_speed.begin(), by_speed.end(),
+                        [&](const DriftRates& rates) { return rates.speed_m_per_s == speed; });
+  };
+  REQUIRE(at(4) != by_speed.end());
+  REQUIRE(at(6) != by_speed.end());
+  CHECK(at(2) == by_speed.end());
+  // 41 steps are the first beyond 20 m; those that end in the fast half err less.
+  CHECK(at(4)->t_rel_percent == Approx(1.025).epsilon(0.01));
+  CHECK(at(6)->num_segments >= at(4)->num_segments);
+  CHECK(at(12)->t_rel_percent < 0.1);
+  CHECK(at(18) == by_speed.end());
+
+  // Twice as fast by the stamps.
+  stamp(a, 0, 50'000'000);
+  stamp(b, 0, 50'000'000);
+  const auto faster = relative_errors(match(a, b, {}), options).by_speed;
+  CHECK(faster.back().speed_m_per_s == Approx(26.0).margin(2));
+  CHECK_THROWS_AS(relative_errors(by_row(a, b), {.lengths_m = {20}, .step_rows = 10, .row_interval_s = 0.0}),
+                  pago::Error);
 }
 
 }  // namespace

@@ -98,6 +98,7 @@ TEST_CASE("missing files leave a gap in numbers and stamps", "[kitti][folder]") 
   CHECK(found.scans[2].is_after_gap);
   CHECK_FALSE(found.scans[1].is_after_gap);
   CHECK(mid_ns(found.scans[2]) == kKittiEpochNs + 700'000'000);
+  CHECK(KittiSource(root.path()).missing_scans() == 2);
 }
 
 TEST_CASE("an excerpt with stamps of its own is matched one by one", "[kitti][folder]") {

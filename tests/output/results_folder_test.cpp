@@ -33,6 +33,20 @@ TEST_CASE("a run gets a folder named by the time, and latest leads to it", "[out
   CHECK(results.complaint.empty());
 }
 
+TEST_CASE("a file is replaced by a whole one, or not at all", "[output][text_file]") {
+  const ScratchFolder scratch;
+  const fs::path file = scratch.path / "run.json";
+  replace_file(file, [](const fs::path& unfinished) { write_file(unfinished, "first"); });
+  CHECK(contents(file) == "first");
+  const auto fail = [](const fs::path& unfinished) {
+    write_file(unfinished, "half");
+    throw pago::Error("disk", "full");
+  };
+  CHECK_THROWS_WITH(replace_file(file, fail), Contains("full"));
+  CHECK(contents(file) == "first");
+  CHECK(std::distance(fs::directory_iterator(scratch.path), fs::directory_iterator{}) == 1);
+}
+
 TEST_CASE("runs in the same second do not share a folder, and latest is the last one",
           "[output][results_folder]") {
   const ScratchFolder scratch;

@@ -38,6 +38,7 @@ RunReport report() {
   r.sweeps.partial = 1;
   r.sweeps.dropped = {2, 1};
   r.wall_s = 1.5;
+  r.is_live = true;
   return r;
 }
 
@@ -130,6 +131,14 @@ TEST_CASE("the summary is short and says what was lost and where things are", "[
              Contains("odometry") && Contains("first pose") && !Contains("mapping") && !Contains("refined"));
   CHECK_THAT(text, Contains("results/now\n") && !Contains("NOT BALANCED") && !Contains("problem"));
   CHECK(std::count(text.begin(), text.end(), '\n') < 20);
+}
+
+TEST_CASE("a replay's summary has the stages' own time, and no waits", "[output][run_report]") {
+  RunReport r = report();
+  r.is_live = false;
+  const std::string text = run_summary(r, totals(3), "x");
+  CHECK_THAT(text,
+             Contains("odometry") && Contains("cpu p50") && !Contains("wall") && !Contains("first pose"));
 }
 
 TEST_CASE("counts that do not add up are shouted", "[output][run_report]") {

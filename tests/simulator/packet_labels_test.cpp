@@ -67,6 +67,26 @@ TEST_CASE("every return finds the class of its slot", "[simulator][labels]") {
   require_right(sweep, unit, 10);
 }
 
+TEST_CASE("a dual-return packet's second returns find their own classes", "[simulator][labels]") {
+  const hdl64::Calibration unit = made_up_unit();
+  LabelTrack track(20, 57'600, 3);
+  track.add(packet(0));
+  Sweep sweep(64 * 3 * 2);
+  sweep.header.start_ns = kStart_ns;
+  for (int firing = 0; firing < 3; ++firing) {
+    for (const std::uint8_t echo : {std::uint8_t{0}, std::uint8_t{kNotStrongest | kNotLast}}) {
+      for (int laser = 0; laser < 64; ++laser) {
+        sweep.ring[sweep.size] = unit.ring_of_laser[static_cast<std::size_t>(laser)];
+        sweep.echo[sweep.size] = echo;
+        sweep.time_offset_ns[sweep.size++] = firing * 57'600 + hdl64::laser_time_ns(laser, 57'600);
+      }
+    }
+  }
+  REQUIRE(track.label(sweep, unit) == sweep.size);
+  // Returns were added in the order of a dual-return packet's slots: two blocks, and two of second returns.
+  for (std::uint32_t i = 0; i < sweep.size; ++i) REQUIRE(sweep.label[i] == packet(0).labels[i]);
+}
+
 TEST_CASE("a replay hours later finds them too", "[simulator][labels]") {
   const hdl64::Calibration unit = made_up_unit();
   LabelTrack track(20, 48'000, 6);

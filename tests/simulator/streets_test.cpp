@@ -52,7 +52,7 @@ TEST_CASE("at a crossing the other street is told apart", "[simulator][streets]"
 }
 
 TEST_CASE("a city's way keeps to its streets and has no corners", "[simulator][streets]") {
-  const City city = make_city(3, 800.0);
+  const Route city = make_city(3, 800.0);
   REQUIRE(city.way.length_m() >= 800.0);
   const StreetMap map(city.streets);
   double sharpest = 0.0;
@@ -66,6 +66,6 @@ TEST_CASE("a city's way keeps to its streets and has no corners", "[simulator][s
 }
 
 TEST_CASE("a longer way through the same city begins the same way", "[simulator][streets]") {
-  const City shorter = make_city(5, 300.0), longer = make_city(5, 900.0);
+  const Route shorter = make_city(5, 300.0), longer = make_city(5, 900.0);
   for (double s = 0.0; s < 300.0; s += 10.0) REQUIRE(shorter.way.at(s).isApprox(longer.way.at(s)));
 }

@@ -46,7 +46,7 @@ TEST_CASE("a drive starts at its speed, accelerates and stops where it should", 
 }
 
 TEST_CASE("bends are taken slowly", "[simulator][vehicle]") {
-  const City city = make_city(3, 600.0);
+  const Route city = make_city(3, 600.0);
   const Pace pace;
   const auto s = distances_driven(city.way, {}, pace, kInterval_s, 60.0);
   double most = 0.0;
@@ -61,10 +61,10 @@ TEST_CASE("bends are taken slowly", "[simulator][vehicle]") {
 }
 
 TEST_CASE("the vehicle stays on the ground, and heads where it goes", "[simulator][vehicle]") {
-  const City city = make_city(3, 400.0);
+  const Route city = make_city(3, 400.0);
   const Ground ground(StreetMap(city.streets), GroundStyle{.speed_bumps = 0.5}, 3);
   const auto s = distances_driven(city.way, city.stops_m, Pace{}, kInterval_s, 30.0);
-  const auto poses = drive_over(ground, city.way, s, kInterval_s, 3);
+  const auto poses = drive_over(ground, city.way, s, kInterval_s, 1.0, 3);
   REQUIRE(poses.size() == s.size());
   for (std::size_t i = 1; i < poses.size(); ++i) {
     const Eigen::Vector3d p = poses[i].translation();

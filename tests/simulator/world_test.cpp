@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "drivers/simulator/world.hpp"
 
+#include <array>
 #include <map>
 
 #include "drivers/simulator/surroundings.hpp"
@@ -15,6 +16,9 @@ namespace {
 bool are_equal(const Mesh& a, const Mesh& b) {
   return a.origin == b.origin && a.vertices == b.vertices && a.triangles == b.triangles;
 }
+
+constexpr std::array kWorlds{SimulatedWorld::kUrban, SimulatedWorld::kRural, SimulatedWorld::kHighway,
+                             SimulatedWorld::kTunnel, SimulatedWorld::kField};
 
 SimulatorConfig city(int seed) {
   SimulatorConfig config;
@@ -48,11 +52,41 @@ TEST_CASE("a street has what makes a city", "[simulator][world]") {
   }
 }
 
+TEST_CASE("every world has what makes it, and each tile once and for all", "[simulator][world]") {
+  const auto expect = [](SimulatedWorld which, std::initializer_list<Label> wanted, Label absent) {
+    SimulatorConfig config = city(3);
+    config.world = which;
+    config.seconds = 6.0;
+    const Surroundings surroundings = lay_out(config), again = lay_out(config);
+    CHECK(are_equal(surroundings.world->tile({1, 0}), again.world->tile({1, 0})));
+    std::map<Label, std::size_t> triangles;
+    const Tile here = Tile::of(surroundings.T_world_base->pose(3.0).translation().head<2>());
+    for (int i = here.i - 2; i <= here.i + 2; ++i)
+      for (int j = here.j - 2; j <= here.j + 2; ++j)
+        for (const Surface& surface : surroundings.world->tile({i, j}).surfaces) ++triangles[surface.label];
+    for (const Label label : wanted) {
+      INFO("world " << static_cast<int>(which) << ", label " << static_cast<int>(label));
+      CHECK(triangles[label] > 20);
+    }
+    CHECK(triangles[absent] == 0);
+  };
+  expect(SimulatedWorld::kRural,
+         {Label::kRoad, Label::kTerrain, Label::kVegetation, Label::kTrunk, Label::kPole}, Label::kSidewalk);
+  expect(SimulatedWorld::kHighway, {Label::kRoad, Label::kTerrain, Label::kFence, Label::kPole},
+         Label::kBuilding);
+  expect(SimulatedWorld::kTunnel, {Label::kRoad, Label::kOtherStructure}, Label::kBuilding);
+  expect(SimulatedWorld::kField, {Label::kTerrain, Label::kOtherGround}, Label::kRoad);
+}
+
 TEST_CASE("nothing stands in the vehicle's way", "[simulator][world]") {
-  const Surroundings surroundings = lay_out(city(2));
+  SimulatorConfig config = city(2);
+  config.world = GENERATE(from_range(kWorlds));
+  INFO("world " << static_cast<int>(config.world));
+  if (config.world != SimulatedWorld::kUrban) config.seconds = 8.0;
+  const Surroundings surroundings = lay_out(config);
   RayCaster caster([&](const Tile& tile) { return surroundings.world->tile(tile); });
   const Trajectory& drive = *surroundings.T_world_base;
-  for (double t = 0.0; t < drive.duration_s(); t += 0.2) {
+  for (double t = 0.0; t < drive.duration_s(); t += 0.4) {
     const Eigen::Isometry3d T = drive.pose(t);
     caster.move_to(T.translation());
     RayPacket rays;

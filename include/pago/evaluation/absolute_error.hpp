@@ -23,8 +23,9 @@ std::string_view to_string(Alignment alignment) noexcept;
 struct AbsoluteErrors {
   Alignment alignment = Alignment::kSe3;
   Eigen::Isometry3d T_truth_estimate = Eigen::Isometry3d::Identity();  ///< the alignment that was used
-  double rmse_m = 0.0, mean_m = 0.0, median_m = 0.0, max_m = 0.0;      ///< of the distance between positions
-  Eigen::Vector3d axis_rmse_m = Eigen::Vector3d::Zero();               ///< x y z
+  /// Of the distance between positions: the figures of evo_ape. The deviation is divided by n.
+  double rmse_m = 0.0, mean_m = 0.0, median_m = 0.0, deviation_m = 0.0, min_m = 0.0, max_m = 0.0;
+  Eigen::Vector3d axis_rmse_m = Eigen::Vector3d::Zero();  ///< x y z
   double rotation_rmse_rad = 0.0;  ///< of the angle between orientations, under the same alignment
   Eigen::Vector3d axis_rotation_rmse_rad = Eigen::Vector3d::Zero();  ///< roll pitch yaw
 };

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <Eigen/Geometry>
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -34,15 +35,27 @@ struct MatchOptions {
   double max_difference_s = 0.02;  ///< by stamp: poses farther apart do not match; > 0
   bool interpolates_truth =
       false;  ///< by stamp: truth is interpolated (slerp, lerp) to the estimate's stamps
+  double time_offset_s =
+      0.0;  ///< by stamp: added to the estimate's stamps, to bring its clock to the truth's
+  /// By row: how many rows after the truth's instant the estimate's is, e.g. 0.5 where truth holds for the
+  /// middle of each sweep and the estimate for its end. Truth is interpolated (constant velocity and turn
+  /// rate between rows); rows for which it would have to be extrapolated are left out. Within [-1, 1].
+  double instant_shift_rows = 0.0;
 };
+
+/// At which instant of its sweep a pose holds, as a part of the sweep: "start", "mid", "end". Error for
+/// another word.
+double parse_instant(std::string_view word);
 
 /// A row of the base trajectory with what belongs to it. The base is the truth; by stamp it
 /// is the estimate where the truth's rate is more than twice its own (a 200 Hz truth) or truth is
 /// interpolated.
 struct MatchedPose {
-  std::size_t row = 0;  ///< in the base's file
+  std::size_t row = 0;                   ///< in the base's file
+  std::optional<std::int64_t> stamp_ns;  ///< of that row
   Eigen::Isometry3d T_world_sensor_truth = Eigen::Isometry3d::Identity();
   std::optional<Eigen::Isometry3d> T_world_sensor_estimate;  ///< empty: the estimate has no pose for this row
+  std::size_t estimate_row = 0;                              ///< in the estimate's file, where it has a pose
 };
 
 /// Rows of the base in order, never re-numbered: a row without estimate stays in the list and leaves a hole,

@@ -3,8 +3,9 @@
 #pragma once
 
 #include <cstdint>
-#include <span>
+#include <filesystem>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "pago/evaluation/ground_metrics.hpp"
@@ -24,15 +25,29 @@ struct GroundComparison {
 
 // [set-up] All of them throw Error where a method has not one count for each frame, or of another protocol.
 
+/// One per method.
+std::vector<GroundSummary> ground_summaries(const GroundComparison& comparison);
+
+/// What a protocol does with vegetation, in words.
+std::string_view vegetation_rule(GroundProtocol protocol) noexcept;
+
+/// A score in [0, 1], or a spread of scores, in percent, of `width`; "n/a" if it is not defined.
+std::string percent_text(double score, int width = 0);
+
+/// How many frames count, and how many do not.
+std::string frames_text(const GroundComparison& comparison);
+
 /// A table for the terminal: per method precision, recall and F1 in percent, as mean and deviation over the
 /// frames, and of all points together. Ends with a line feed.
 std::string ground_table(const GroundComparison& comparison);
 
 /// A row per method and frame, below a line of names: method, frame, the counts, the scores in [0, 1].
 std::string ground_csv(const GroundComparison& comparison);
-
-/// A page that needs nothing but itself: for each comparison the table, and precision and recall over the
-/// frames, a line per method. `title` is plain text.
-std::string ground_page(const std::string& title, std::span<const GroundComparison> comparisons);
+/// The name of the file that `pago segment` gives it: protocol_a.csv, protocol_b.csv.
+std::string ground_csv_name(GroundProtocol protocol);
+/// The counts of such a file; the scores follow from them.
+GroundComparison read_ground_csv(const std::filesystem::path& file, GroundProtocol protocol);
+/// Those that a folder of `pago segment` has. Error when it has none: its drive had no labels.
+std::vector<GroundComparison> read_ground_folder(const std::filesystem::path& folder);
 
 }  // namespace pago::evaluation

@@ -10,6 +10,8 @@
 #include <string_view>
 #include <vector>
 
+#include "pago/core/estimate.hpp"
+
 namespace pago::evaluation {
 
 /// One pose of a trajectory: of the sensor in that trajectory's own world.
@@ -22,6 +24,8 @@ struct StampedPose {
 struct Trajectory {
   std::string name;  ///< the file it came from, for messages
   std::vector<StampedPose> poses;
+  /// Of the motion from the row before to each row, as Estimate::covariance has it; empty: not known.
+  std::vector<Matrix6d> motion_covariances{};
 
   bool has_stamps() const noexcept { return !poses.empty() && poses.front().stamp_ns.has_value(); }
 };
@@ -48,6 +52,10 @@ Eigen::Isometry3d T_camera_sensor_axes();
 /// T_camera_sensor of a KITTI calibration: the line `Tr:` of an odometry sequence's calib.txt. Error when
 /// there is none.
 Eigen::Isometry3d read_kitti_calibration(const std::filesystem::path& file);
+
+/// Turns poses of a body, e.g. of base_link or of an inertial unit, into poses of the sensor that is mounted
+/// on it; the world stays the body's.
+void body_to_sensor(Trajectory& trajectory, const Eigen::Isometry3d& T_body_sensor);
 
 /// Turns poses of the camera in the first camera's frame into poses of the sensor in the first sensor's
 /// frame: T_sensor = Tr^-1 T_camera Tr.

@@ -54,6 +54,8 @@ class StatusReader {
 
  private:
   static constexpr std::size_t kCycleBytes = 7, kBytes = kCycles * kCycleBytes;
+  /// A byte that was seen so often must be contradicted as often to be changed.
+  static constexpr std::uint8_t kMostVotes = 3;
   /// A packet's place in the round: what was seen there most.
   struct Place {
     std::uint8_t type = 0, value = 0;
@@ -61,19 +63,22 @@ class StatusReader {
   };
 
   bool contradicts(std::size_t index, std::uint8_t type) const noexcept;
-  void vote(Place& place, std::uint8_t type, std::uint8_t value) noexcept;
+  void vote(std::size_t index, std::uint8_t type, std::uint8_t value) noexcept;
   void read_at_once(std::uint8_t type, std::uint8_t value) noexcept;
   void look_for_start() noexcept;
   void conclude() noexcept;
+  Checksum check() const noexcept;
+  std::uint16_t crc_of_lasers() const noexcept;
   const Place& place(std::size_t byte) const noexcept;
   std::uint16_t word(std::size_t byte) const noexcept;
-  std::uint8_t least_votes() const noexcept;
   bool read_lasers() noexcept;
   void read_parameters() noexcept;
 
   std::array<Place, kRoundPackets> places_{};
   std::size_t index_ = 0;  // of the newest packet: multiples of 16 begin a cycle, modulo a round of any start
   std::size_t num_filled_ = 0;
+  /// How many of the round's bytes were seen once or oftener, twice or oftener, ...
+  std::array<std::size_t, kMostVotes> num_with_votes_{};
   std::optional<std::size_t> start_;  // the index of the round's first packet
   int contradictions_ = 0;
   bool is_placed_ = false;  // the first packet has come

@@ -61,6 +61,8 @@ class KittiSource final : public SweepSource {
   bool has_stamps() const noexcept;
   /// The first scan that has no file of labels; empty if all have. [any but the hot path]
   std::string first_without_labels() const;
+  /// File numbers between the first scan and the last that have no file.
+  std::uint64_t missing_scans() const noexcept;
   /// Scans so far whose rings are not certain.
   std::uint64_t scans_with_guessed_rings() const noexcept;
   /// Points so far that were the vehicle's own body.

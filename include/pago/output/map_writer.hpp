@@ -55,6 +55,7 @@ class MapWriter {
   };
 
   void add(const PlyPoint& point);
+  void write_to(const std::filesystem::path& file);
   Tile& visit(const Corner& corner);
   void load(const Corner& corner, Tile& tile);
   void make_room();

@@ -12,6 +12,7 @@
 #include "pago/output/decisions.hpp"
 #include "pago/output/latency.hpp"
 #include "pago/output/map_writer.hpp"
+#include "pago/output/pose_csv.hpp"
 #include "pago/output/run_report.hpp"
 #include "pago/output/trace.hpp"
 #include "pago/output/trajectory_writer.hpp"
@@ -21,6 +22,7 @@ namespace pago::output {
 /// The files of one run, written as it goes on:
 ///   odometry.tum, .kitti     first poses, one per sweep that has a pose
 ///   trajectory.tum, .kitti   refined poses, the same sweeps
+///   poses.csv                health and covariance, the same sweeps
 ///   front_end.tum, .kitti    products of scan-to-scan increments alone, the same sweeps: for studies
 ///   latency.csv              every sweep
 ///   trace.json, run.json     at the end
@@ -63,6 +65,7 @@ class RunRecorder {
   Clock::duration flush_interval_;
   Clock::time_point next_flush_;
   TrajectoryWriter front_end_, first_, refined_;
+  PoseCsv poses_;
   LatencyCsv latency_;
   Trace trace_;
   std::optional<MapWriter> map_;

@@ -53,6 +53,7 @@ struct RunReport {
   std::uint64_t self_hits = 0;            ///< returns on the vehicle's own body, left out
   std::uint64_t unrecorded = 0;           ///< live: sweeps and poses that are missing in the files
   std::uint64_t unmapped = 0;             ///< live: keyframes that are missing in the map
+  bool is_live = false;                   ///< a replay's waits say nothing: it reads ahead as far as it can
   double wall_s = 0.0;                    ///< how long the run took
   std::string complaint;                  ///< empty, or why the run ended before its source did
 };

@@ -4,6 +4,7 @@
 
 #include <cstdio>
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <string>
 #include <string_view>
@@ -45,5 +46,10 @@ void make_folders(const std::filesystem::path& folder);
 
 /// Writes a whole file at once, for the end of a run; Error when it cannot be written.
 void write_file(const std::filesystem::path& path, std::string_view bytes);
+
+/// Has `write` make the file under another name first, so that whoever reads it meets the old one or the new
+/// one, whole. When `write` throws Error, nothing of the new one is left.
+void replace_file(const std::filesystem::path& path,
+                  const std::function<void(const std::filesystem::path& unfinished)>& write);
 
 }  // namespace pago::output

@@ -28,10 +28,11 @@ struct DriveFiles {
   bool kitti_compensated = false;  ///< scans in the frame of their middle, as the benchmark's are; else raw
 };
 
-/// Renders the drive of config.simulator to files. `on_progress` is called a few times a second with packets
-/// done; `stop` ends early with the files complete so far. Returns the number of whole sweeps. Throws Error
-/// for settings that cannot be used and files that cannot be written. [set-up] one thread; 10 sweeps take
-/// about a second.
+/// Renders the drive of config.simulator to files. Faults of the way to the host are in the capture only:
+/// labels, truth and scans are of what the sensor sent. `on_progress` is called a few times a second with
+/// packets done; `stop` ends early with the files complete so far. Returns the number of whole sweeps. Throws
+/// Error for settings that cannot be used and files that cannot be written. [set-up] one thread; 10 sweeps
+/// take about a second.
 std::uint64_t render(const Config& config,
                      const DriveFiles& files,
                      const std::function<void(const Progress&)>& on_progress,

@@ -12,6 +12,7 @@
 #include "pago/core/mount.hpp"
 #include "pago/hdl64/calibration.hpp"
 #include "pago/hdl64/packet.hpp"
+#include "pago/hdl64/stream_format.hpp"
 
 namespace pago::simulator {
 
@@ -47,6 +48,9 @@ class Simulator {
 
   /// The unit's calibration file, which the unit keeps to as well as the settings say.
   const hdl64::Calibration& calibration() const noexcept;
+
+  /// Of its packets.
+  hdl64::StreamFormat format() const noexcept;
 
   /// Sensor time of the drive's first firing.
   std::int64_t start_ns() const noexcept;

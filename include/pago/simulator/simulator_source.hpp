@@ -2,8 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <array>
+#include <memory>
 #include <string>
+#include <vector>
 
 #include "pago/core/sources.hpp"
 #include "pago/simulator/packet_labels.hpp"
@@ -20,6 +21,7 @@ class SimulatorSource final : public PacketSource {
  public:
   /// Throws Error as simulator::Simulator does.
   SimulatorSource(const SimulatorConfig& config, const Hdl64Config& sensor, const Mount& mount);
+  ~SimulatorSource() override;
 
   std::span<const Datagram> receive() noexcept override;
   bool all_done() const noexcept override { return has_ended_; }
@@ -43,10 +45,14 @@ class SimulatorSource final : public PacketSource {
   static constexpr std::size_t kBatch = 8;
   static constexpr std::size_t kRemembered = 16'384;
 
+  struct Arrivals;
+
   simulator::Simulator simulator_;
   simulator::LabelTrack labels_;
-  std::array<simulator::SimulatedPacket, kBatch> packets_;
-  std::array<Datagram, kBatch> datagrams_;
+  std::unique_ptr<Arrivals> arrivals_;  // what faults leave of the packets
+  simulator::SimulatedPacket packet_;
+  std::vector<Datagram> datagrams_;
+  std::uint64_t packets_done_ = 0;
   bool has_ended_ = false;
   SourceCounters counters_;
   std::string complaint_;

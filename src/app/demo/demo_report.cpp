@@ -13,15 +13,18 @@ DemoAccuracy judge_accuracy(const std::vector<output::SweepRecord>& records, con
   evaluation::MatchedTrajectories matched;
   std::vector<Eigen::Isometry3d> path;
   for (std::size_t row = 0; row < rows.poses.size(); ++row) {
-    matched.poses.push_back({row, rows.poses[row].T_world_sensor, std::nullopt});
+    matched.poses.push_back({.row = row,
+                             .stamp_ns = {},
+                             .T_world_sensor_truth = rows.poses[row].T_world_sensor,
+                             .T_world_sensor_estimate = {}});
     path.push_back(rows.poses[row].T_world_sensor);
   }
   DemoAccuracy accuracy;
   for (const output::SweepRecord& record : records) {
     if (!record.has_pose || record.header.sequence >= matched.poses.size()) continue;
-    matched.poses[record.header.sequence].T_world_sensor_estimate =
-        output::to_isometry(record.T_odom_sensor_refined);
-    ++accuracy.num_poses;
+    evaluation::MatchedPose& pose = matched.poses[record.header.sequence];
+    pose.T_world_sensor_estimate = output::to_isometry(record.T_odom_sensor_refined);
+    pose.estimate_row = static_cast<std::size_t>(accuracy.num_poses++);
   }
   accuracy.num_rows = matched.poses.size();
   if (accuracy.num_poses == 0) return accuracy;
