@@ -30,6 +30,8 @@ output::RunReport report_of(const RunSummary& summary,
   report.facts.emplace_back("mount check", std::string(to_string(summary.mount.finding)));
   if (summary.mount.has_estimate)
     report.facts.emplace_back("ground below sensor", format("%.3f m", summary.mount.height_m));
+  if (summary.mount.set_height_m > 0.0)
+    report.facts.emplace_back("sensor height, estimated", format("%.3f m", summary.mount.set_height_m));
   if (has_packets) {
     report.facts.emplace_back("sensor", summary.sensor);
     report.facts.emplace_back("calibration", config.hdl64.calibration);

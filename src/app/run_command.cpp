@@ -177,8 +177,10 @@ int run_command(const RunOptions& options) {
 
   const auto start = std::chrono::steady_clock::now();
   std::vector<std::string> complaints{results.complaint};
-  const RunSummary summary =
+  RunSummary summary =
       run.is_live ? go_live(run, options, config, *recorder, complaints) : replay(run, *recorder);
+  const bool is_mount_told = run.is_live && summary.mount.is_warning();
+  summary.mount = summary.mount.concluded();
 
   output::RunReport report =
       report_of(summary, options.source, config, run.packets() != nullptr, seconds_since(start));
@@ -188,14 +190,15 @@ int run_command(const RunOptions& options) {
   recorder->finish(report);
   const bool came_to_nothing = !summary.failure.empty() && summary.sweeps.opened == 0;
   if (!came_to_nothing) std::cout << output::run_summary(report, recorder->totals(), results.folder);
+  std::cout << height_line(summary.mount, config.mount);
 
   const auto add = [&complaints](const std::vector<std::string>& more) {
     complaints.insert(complaints.end(), more.begin(), more.end());
   };
   add({summary.complaint, summary.failure});
   add(doubts(summary, recorder->totals(), run.source));
-  // A live run has said it when the verdict fell.
-  if (!run.is_live) add({ground::to_text(summary.mount, config.mount)});
+  // A live run has warned when the verdict fell.
+  if (!is_mount_told) add({ground::to_text(summary.mount, config.mount)});
   const bool is_repeated = run.recorded_hash.empty() || run.recorded_hash == recorder->totals().hash.hex();
   if (!is_repeated)
     add({"the poses are not those of " + options.as_recorded +

@@ -58,8 +58,7 @@ struct Contender {
 /// The scores of all methods on whole sweeps with labels, by both protocols, which stay apart.
 class Judge {
  public:
-  Judge(const std::vector<std::string>& methods, const Mount& mount)
-      : vegetation_cut_m_(static_cast<float>(-0.75 * mount.height_m)) {
+  Judge(const std::vector<std::string>& methods, const Mount& mount) : mount_(mount) {
     for (GroundComparison& comparison : comparisons_)
       for (const std::string& method : methods) comparison.methods.push_back({method, {}});
     comparisons_[0].protocol = GroundProtocol::kPatchwork;
@@ -73,25 +72,24 @@ class Judge {
   }
   void judge(const Sweep& sweep, std::size_t method) {
     for (GroundComparison& comparison : comparisons_)
-      comparison.methods[method].counts.push_back(
-          count_ground(comparison.protocol, sweep, vegetation_cut_m_));
+      comparison.methods[method].counts.push_back(count_ground(comparison.protocol, sweep, mount_));
   }
 
   std::size_t num_frames() const { return comparisons_[0].frames.size(); }
 
-  /// Tables to the terminal, rows and the page into the folder.
-  void report(const std::string& source, const std::filesystem::path& folder) const {
+  /// Tables to the terminal, rows and the page into the folder; `part`: what the page's title adds.
+  void report(const std::string& source, const std::string& part, const std::filesystem::path& folder) const {
     for (const GroundComparison& comparison : comparisons_) {
       std::cout << '\n' << ground_table(comparison);
       output::write_file(folder / ground_csv_name(comparison.protocol), ground_csv(comparison));
     }
     output::write_file(folder / "index.html",
-                       report::ground_page("Ground segmentation of " + source, comparisons_,
+                       report::ground_page("Ground segmentation of " + source + part, comparisons_,
                                            "pago " PAGO_VERSION " segment " + source));
   }
 
  private:
-  float vegetation_cut_m_;
+  Mount mount_;
   std::array<GroundComparison, 2> comparisons_;
 };
 
@@ -110,6 +108,18 @@ std::vector<Contender> contenders(const SegmentOptions& options,
   return result;
 }
 
+/// As named, without the blanks about them. Throws Error where one is named twice: its files would be too.
+std::vector<std::string> distinct(const std::vector<std::string>& names) {
+  std::vector<std::string> result;
+  for (const std::string& name : names) {
+    const std::string trimmed = CLI::detail::trim_copy(name);
+    if (std::ranges::find(result, trimmed) != result.end())
+      throw Error("--ground", "names " + trimmed + " twice");
+    result.push_back(trimmed);
+  }
+  return result;
+}
+
 OpenSource open_labelled(const SegmentOptions& options, Config& config) {
   OpenSource source = open_recording(options.source, config);
   for (const std::string& method : options.methods) require_labels(source, options.source, method);
@@ -118,6 +128,14 @@ OpenSource open_labelled(const SegmentOptions& options, Config& config) {
 
 struct Done {
   std::uint64_t sweeps = 0, returns = 0;
+  bool was_stopped = false;  // by a signal, with sweeps left
+
+  /// Words for what is only a part of what was asked for; else empty.
+  std::string complaint() const {
+    return was_stopped ? format("stopped by a signal: masks and scores are of the first %llu sweeps",
+                                static_cast<unsigned long long>(sweeps))
+                       : "";
+  }
 };
 
 Done segment_all(SweepReader& reader,
@@ -127,8 +145,11 @@ Done segment_all(SweepReader& reader,
                  Judge& judge) {
   ProgressLine line;
   Done done;
-  for (Sweep* sweep = nullptr;
-       (most == 0 || done.sweeps < most) && !stop_requested() && (sweep = reader.next()) != nullptr;) {
+  while (most == 0 || done.sweeps < most) {
+    Sweep* const sweep = reader.next();
+    if (sweep == nullptr) break;
+    done.was_stopped = stop_requested();
+    if (done.was_stopped) break;
     const bool is_judged = Judge::can_judge(*sweep);
     if (is_judged) judge.open(*sweep);
     for (std::size_t i = 0; i < methods.size(); ++i) {
@@ -155,6 +176,7 @@ int segment_command(SegmentOptions options) {
   Config config = options.settings.load();
   if (!options.calibration.empty()) config.hdl64.calibration = options.calibration;
   if (options.methods.empty()) options.methods.push_back(config.ground.method);
+  options.methods = distinct(options.methods);
   config.ground.method = options.methods.front();
   validate(config);
   OpenSource source = open_labelled(options, config);
@@ -164,15 +186,17 @@ int segment_command(SegmentOptions options) {
   Judge judge(options.methods, config.mount);
 
   const Done done = segment_all(reader, source, options.most_sweeps, methods, judge);
-  if (done.sweeps == 0)
+  if (done.sweeps == 0 && !done.was_stopped)
     throw Error(options.source, reader.failure().empty() ? "holds no sweep" : reader.failure());
   print_shares(methods, done);
-  if (judge.num_frames() > 0) judge.report(options.source, results.folder);
+  std::cout << height_line(methods.front().stage.mount_report(), config.mount);
+  const std::string part = done.complaint().empty() ? "" : ", " + done.complaint();
+  if (judge.num_frames() > 0) judge.report(options.source, part, results.folder);
   std::cout << "files     " << results.folder.string() << '\n';
 
-  std::vector<std::string> complaints{results.complaint, reader.failure()};
+  std::vector<std::string> complaints{results.complaint, done.complaint(), reader.failure()};
   if (const auto* open = std::get_if<OpenPackets>(&source)) complaints.push_back(open->packets->complaint());
-  complaints.push_back(to_text(methods.front().stage.mount_report(), config.mount));
+  complaints.push_back(to_text(methods.front().stage.mount_report().concluded(), config.mount));
   for (const std::string& complaint : complaints)
     if (!complaint.empty()) std::cerr << "pago: " << complaint << '\n';
   return reader.failure().empty() ? 0 : 1;
@@ -201,6 +225,7 @@ void add_segment_command(CLI::App& program, Action& action) {
                   "the unit's db.xml or ROS yaml; default: as for pago run")
       ->type_name("FILE");
   command.add_option("--sweeps", options->most_sweeps, "at most so many sweeps; default: all")
+      ->check(CLI::Range(1, 1'000'000'000).description(""))
       ->type_name("N");
   command.add_flag("--ply", options->files.ply, "each sweep as a coloured PLY: ground green, all else red");
   command.add_flag("--pictures", options->files.picture, "each sweep from above as a PNG in these colours");

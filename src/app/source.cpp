@@ -166,9 +166,13 @@ OpenPackets open_simulated(const std::string& drive, Config&) {
 }
 #endif
 
+bool is_live_name(const std::string& name) {
+  return name.starts_with("udp:");
+}
+
 OpenSource open(const std::string& name, Config& config) {
   if (const auto drive = after(name, "sim")) return open_simulated(*drive, config);
-  if (name.starts_with("udp:")) return open_live(name, config);
+  if (is_live_name(name)) return open_live(name, config);
   if (const auto file = after(name, "pcap")) return open_capture(*file, config);
   const auto folder = after(name, "kitti");
   std::error_code unknown;
@@ -223,10 +227,10 @@ OpenSource open_source(const std::string& name, Config& config) {
 }
 
 OpenSource open_recording(const std::string& name, Config& config) {
-  OpenSource source = open_source(name, config);
-  if (const auto* open = std::get_if<OpenPackets>(&source); open != nullptr && open->is_live)
+  // Before it is opened: a live sensor's own calibration would be waited for.
+  if (is_live_name(name))
     throw Error(name, "is live", "name a recording: a capture, KITTI scans or sim:urban");
-  return source;
+  return open_source(name, config);
 }
 
 SweepReader reader_of(OpenSource& source, const Config& config) {

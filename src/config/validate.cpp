@@ -23,6 +23,16 @@ bool are_whole(std::span<const double> numbers) {
   return std::ranges::all_of(numbers, [](double number) { return number == std::floor(number); });
 }
 
+template <auto section>
+bool has_range(const Config& c) {
+  return (c.ground.*section).min_range_m < (c.ground.*section).max_range_m;
+}
+
+template <auto section>
+bool has_whole_zones(const Config& c) {
+  return are_whole((c.ground.*section).zone_rings) && are_whole((c.ground.*section).zone_sectors);
+}
+
 constexpr std::array kRules{
     Rule{[](const Config& c) { return c.assembly.max_returns == 0 || c.assembly.max_returns >= 64'000; },
          "a sweep must hold 64,000 returns at least, or 0 for as many as the sensor needs",
@@ -33,14 +43,30 @@ constexpr std::array kRules{
     Rule{[](const Config& c) { return c.hdl64.min_range_m < c.hdl64.max_range_m; },
          "the sensor's nearest range must be below its farthest",
          {"hdl64.min_range_m", "hdl64.max_range_m"}},
-    Rule{[](const Config& c) { return c.ground.patchwork.min_range_m < c.ground.patchwork.max_range_m; },
+    Rule{has_range<&GroundConfig::patchwork>,
          "Patchwork's zones must begin before they end",
          {"ground.patchwork.min_range_m", "ground.patchwork.max_range_m"}},
-    Rule{[](const Config& c) {
-           return are_whole(c.ground.patchwork.zone_rings) && are_whole(c.ground.patchwork.zone_sectors);
-         },
+    Rule{has_whole_zones<&GroundConfig::patchwork>,
          "Patchwork's zones must be divided by whole numbers",
          {"ground.patchwork.zone_rings", "ground.patchwork.zone_sectors"}},
+    Rule{has_range<&GroundConfig::patchwork_hdl64>,
+         "Patchwork's zones must begin before they end",
+         {"ground.patchwork_hdl64.min_range_m", "ground.patchwork_hdl64.max_range_m"}},
+    Rule{has_whole_zones<&GroundConfig::patchwork_hdl64>,
+         "Patchwork's zones must be divided by whole numbers",
+         {"ground.patchwork_hdl64.zone_rings", "ground.patchwork_hdl64.zone_sectors"}},
+    Rule{has_range<&GroundConfig::patchworkpp>,
+         "Patchwork++'s zones must begin before they end",
+         {"ground.patchworkpp.min_range_m", "ground.patchworkpp.max_range_m"}},
+    Rule{has_whole_zones<&GroundConfig::patchworkpp>,
+         "Patchwork++'s zones must be divided by whole numbers",
+         {"ground.patchworkpp.zone_rings", "ground.patchworkpp.zone_sectors"}},
+    Rule{has_range<&GroundConfig::linefit>,
+         "LineFit's lines must begin before they end",
+         {"ground.linefit.min_range_m", "ground.linefit.max_range_m"}},
+    Rule{has_range<&GroundConfig::cascaded>,
+         "CascadedSeg's regions must begin before they end",
+         {"ground.cascaded.min_range_m", "ground.cascaded.max_range_m"}},
     Rule{[](const Config& c) {
            return c.features.clustering.min_points_tall <= c.features.clustering.min_points;
          },

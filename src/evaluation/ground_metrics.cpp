@@ -3,6 +3,7 @@
 #include "pago/evaluation/ground_metrics.hpp"
 
 #include <cmath>
+#include <limits>
 #include <string>
 
 #include "number_rows.hpp"
@@ -31,11 +32,31 @@ std::uint64_t& cell(GroundCounts& counts, Truth truth, bool is_claimed) {
 }
 
 double ratio(std::uint64_t part, std::uint64_t whole) {
-  return whole == 0 ? 1.0 : static_cast<double>(part) / static_cast<double>(whole);
+  if (whole == 0) return std::numeric_limits<double>::quiet_NaN();
+  return static_cast<double>(part) / static_cast<double>(whole);
 }
 
 constexpr double GroundScore::*kFigures[] = {&GroundScore::precision, &GroundScore::recall, &GroundScore::f1,
                                              &GroundScore::accuracy, &GroundScore::iou};
+
+/// Over the frames where the figure is defined.
+void set_mean_and_deviation(std::span<const GroundScore> scores,
+                            double GroundScore::*figure,
+                            GroundSummary& summary) {
+  double n = 0.0, sum = 0.0, squares = 0.0;
+  for (const GroundScore& score : scores) {
+    if (std::isnan(score.*figure)) continue;
+    n += 1.0;
+    sum += score.*figure;
+  }
+  const double mean = sum / n;  // 0 / 0 is not defined either
+  for (const GroundScore& score : scores) {
+    const double difference = score.*figure - mean;
+    if (!std::isnan(difference)) squares += difference * difference;
+  }
+  summary.mean.*figure = mean;
+  summary.deviation.*figure = std::sqrt(squares / n);
+}
 
 void add(GroundCounts& sum, const GroundCounts& frame) {
   if (sum.protocol != frame.protocol)
@@ -71,11 +92,13 @@ GroundCounts count_ground(GroundProtocol protocol,
   return counts;
 }
 
-GroundCounts count_ground(GroundProtocol protocol, const Sweep& sweep, float vegetation_cut_m) {
+GroundCounts count_ground(GroundProtocol protocol, const Sweep& sweep, const Mount& mount) {
   GroundCounts counts;
   counts.protocol = protocol;
+  const Eigen::Vector3f up = mount.R_level_sensor().row(2).transpose().cast<float>();
   for (std::uint32_t i = 0; i < sweep.size; ++i) {
-    const Truth truth = truth_of(protocol, sweep.label[i], sweep.z_m[i] < vegetation_cut_m);
+    const float z_m = up.dot(Eigen::Vector3f(sweep.x_m[i], sweep.y_m[i], sweep.z_m[i]));
+    const Truth truth = truth_of(protocol, sweep.label[i], z_m < kVegetationCutMetres);
     ++cell(counts, truth, sweep.ground[i] != 0);
   }
   return counts;
@@ -96,23 +119,15 @@ GroundSummary summarize_ground(std::span<const GroundCounts> frames) {
   if (frames.empty()) throw Error("ground metrics", "no frame was counted");
   GroundSummary summary;
   summary.protocol = frames.front().protocol;
-  summary.num_frames = frames.size();
-  const double n = static_cast<double>(frames.size());
   GroundCounts sum;
   sum.protocol = summary.protocol;
+  std::vector<GroundScore> scores;
   for (const GroundCounts& frame : frames) {
     add(sum, frame);
-    const GroundScore score = ground_score(frame);
-    for (const auto figure : kFigures) summary.mean.*figure += score.*figure / n;
+    if (frame.true_positive + frame.false_negative > 0) scores.push_back(ground_score(frame));
   }
-  for (const GroundCounts& frame : frames) {
-    const GroundScore score = ground_score(frame);
-    for (const auto figure : kFigures) {
-      const double difference = score.*figure - summary.mean.*figure;
-      summary.deviation.*figure += difference * difference / n;
-    }
-  }
-  for (const auto figure : kFigures) summary.deviation.*figure = std::sqrt(summary.deviation.*figure);
+  summary.num_frames = scores.size();
+  for (const auto figure : kFigures) set_mean_and_deviation(scores, figure, summary);
   summary.pooled = ground_score(sum);
   return summary;
 }

@@ -2,11 +2,20 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "pago/evaluation/ground_report.hpp"
 
+#include <cmath>
+
 #include "pago/core/csv.hpp"
 #include "pago/core/error.hpp"
 #include "pago/core/text.hpp"
 
 namespace pago::evaluation {
+namespace {
+
+/// What tables and rows show, in this order.
+constexpr double GroundScore::*kReported[] = {&GroundScore::precision, &GroundScore::recall,
+                                              &GroundScore::f1};
+
+}  // namespace
 
 std::vector<GroundSummary> ground_summaries(const GroundComparison& comparison) {
   std::vector<GroundSummary> result;
@@ -21,6 +30,18 @@ std::vector<GroundSummary> ground_summaries(const GroundComparison& comparison) 
   return result;
 }
 
+std::string percent_text(double score, int width) {
+  return std::isnan(score) ? format("%*s", width, "n/a") : format("%*.2f", width, 100.0 * score);
+}
+
+std::string frames_text(const GroundComparison& comparison) {
+  const std::vector<GroundSummary> all = ground_summaries(comparison);
+  const std::size_t counted = all.empty() ? comparison.frames.size() : all.front().num_frames;
+  const std::size_t left_out = comparison.frames.size() - counted;
+  return format("%zu frames", counted) +
+         (left_out == 0 ? "" : format(", and %zu without ground that are in no mean", left_out));
+}
+
 std::string_view vegetation_rule(GroundProtocol protocol) noexcept {
   return protocol == GroundProtocol::kPatchwork ? "low vegetation is ground, other vegetation is not"
                                                 : "vegetation is left out";
@@ -30,16 +51,17 @@ std::string ground_table(const GroundComparison& comparison) {
   const std::vector<GroundSummary> all = ground_summaries(comparison);
   std::string text =
       "protocol " + std::string(to_string(comparison.protocol)) + ": " +
-      std::string(vegetation_rule(comparison.protocol)) +
-      format("; %zu frames, %%\n", comparison.frames.size()) +
+      std::string(vegetation_rule(comparison.protocol)) + "; " + frames_text(comparison) + "; %\n" +
       "                      mean +- deviation over the frames             all points together\n"
       "  method            precision        recall            F1   precision  recall      F1\n";
   for (std::size_t i = 0; i < all.size(); ++i) {
     const GroundScore &mean = all[i].mean, &deviation = all[i].deviation, &pooled = all[i].pooled;
-    text += format("  %-15s %6.2f +- %4.2f %6.2f +- %4.2f %6.2f +- %4.2f   %8.2f %7.2f %7.2f\n",
-                   comparison.methods[i].method.c_str(), 100.0 * mean.precision, 100.0 * deviation.precision,
-                   100.0 * mean.recall, 100.0 * deviation.recall, 100.0 * mean.f1, 100.0 * deviation.f1,
-                   100.0 * pooled.precision, 100.0 * pooled.recall, 100.0 * pooled.f1);
+    text += format("  %-15s", comparison.methods[i].method.c_str());
+    for (const auto figure : kReported)
+      text += ' ' + percent_text(mean.*figure, 6) + " +- " + percent_text(deviation.*figure, 4);
+    text += "  ";
+    for (const auto figure : kReported) text += percent_text(pooled.*figure, figure == kReported[0] ? 9 : 8);
+    text += '\n';
   }
   return text;
 }
@@ -56,7 +78,9 @@ std::string ground_csv(const GroundComparison& comparison) {
       for (const std::uint64_t count :
            {c.true_positive, c.false_positive, c.false_negative, c.true_negative, c.excluded})
         text += ',' + std::to_string(count);
-      text += format(",%.6f,%.6f,%.6f\n", score.precision, score.recall, score.f1);
+      for (const auto figure : kReported)
+        text += std::isnan(score.*figure) ? ",n/a" : format(",%.6f", score.*figure);
+      text += '\n';
     }
   }
   return text;

@@ -37,7 +37,7 @@ void AdaptiveBounds::reset(double height_m) noexcept {
   for (Ring& ring : rings_) {
     ring.z_m.clear();
     ring.flatness_m2.clear();
-    ring.max_z_m = config_.initial_elevation_m - height_m;
+    ring.max_z_m = config_.max_elevation_m - height_m;
     ring.max_flatness_m2 = 0.0;
   }
 }
@@ -47,13 +47,16 @@ void AdaptiveBounds::note(int ring, double z_m, double flatness_m2) noexcept {
   rings_[index(ring)].flatness_m2.add(flatness_m2);
 }
 
-/// Bounds at two standard deviations of the heights (three in the innermost ring), one of the flatness.
+/// Bounds at two standard deviations of the heights (three in the innermost ring), one of the flatness. What
+/// is below a bound is what it is learnt from: unbounded, it would rise by itself.
 void AdaptiveBounds::learn() noexcept {
   for (std::size_t i = 0; i < rings_.size(); ++i) {
     Ring& ring = rings_[i];
     if (ring.z_m.numbers().empty()) continue;
     const MeanDeviation z = mean_and_deviation(ring.z_m.numbers());
-    ring.max_z_m = z.mean + (i == 0 ? 3.0 : 2.0) * z.deviation;
+    ring.max_z_m =
+        std::clamp(z.mean + (i == 0 ? 3.0 : 2.0) * z.deviation, -mount_height_m_ - config_.max_elevation_m,
+                   -mount_height_m_ + config_.max_elevation_m);
     if (i == 0)
       height_m_ = std::clamp(-z.mean, mount_height_m_ - config_.max_height_change_m,
                              mount_height_m_ + config_.max_height_change_m);

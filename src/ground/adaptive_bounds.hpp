@@ -45,7 +45,7 @@ class AdaptiveBounds {
 
   /// Of the sensor above the ground; never farther from the mount's than max_height_change_m.
   double height_m() const noexcept { return height_m_; }
-  /// Bounds in the sensor frame.
+  /// Bounds in the sensor frame; on z within max_elevation_m of the ground as the mount has it.
   double max_z_m(int ring) const noexcept { return rings_[index(ring)].max_z_m; }
   double max_flatness_m2(int ring) const noexcept { return rings_[index(ring)].max_flatness_m2; }
 

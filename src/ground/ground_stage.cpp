@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "pago/ground/ground_stage.hpp"
 
+#include <cmath>
 #include <optional>
 
 #include "height_estimate.hpp"
@@ -13,6 +14,8 @@ struct GroundStage::Parts {
   Parts(const GroundConfig& config, const Mount& mount, std::uint32_t max_returns)
       : segmenter(make_segmenter(config, mount, max_returns)),
         check(config.mount_check, mount),
+        mount_height_m(mount.height_m),
+        max_change_m(config.height.max_change_m),
         height_m(mount.height_m) {
     if (config.height.enabled) estimate.emplace(config.height, mount, max_returns);
   }
@@ -20,17 +23,19 @@ struct GroundStage::Parts {
   bool waits_for_height() const noexcept { return estimate.has_value() && !is_estimated; }
 
   void estimate_height(const Sweep& sweep) noexcept {
+    if (!sweep.header.is_posed() || sweep.header.has(kIncomplete)) return;
     const std::optional<double> found_m = (*estimate)(sweep);
-    if (!found_m) return;
+    if (!found_m || std::abs(*found_m - mount_height_m) > max_change_m) return;
     is_estimated = true;
     height_m = *found_m;
     segmenter->set_height(height_m);
-    check.expect_height(height_m);
+    check.note_height(height_m);
   }
 
   std::unique_ptr<Segmenter> segmenter;
   MountCheck check;
   std::optional<HeightEstimate> estimate;
+  double mount_height_m, max_change_m;
   double height_m;
   bool is_estimated = false;
 };

@@ -24,6 +24,9 @@ constexpr double kMinElsewhere = 0.3;
 constexpr double kMostHeights = 2.5;
 // An HDL-64E that stands as it should has no more than a tenth of its returns above itself.
 constexpr double kMostlyAbove = 0.5;
+// A sensor mounted to look less down than this (its z axis, levelled) sees the ground from afar only, and
+// most of its returns may be above it.
+constexpr double kLooksDown = 0.5;
 
 /// How many points a plane holds.
 double share_on(const Points& points, const PlaneFit& plane) noexcept {
@@ -52,12 +55,14 @@ void MountCheck::look_at(const Sweep& sweep) noexcept {
   if (size >= kTooFew) find_planes({x_m_.first(size), y_m_.first(size), z_m_.first(size)}, glimpse);
   ++num_glimpses_;
   report_.num_sweeps = static_cast<std::uint32_t>(num_glimpses_);
-  if (num_glimpses_ == glimpses_.size()) judge();
+  report_.so_far = judge();
+  if (num_glimpses_ == glimpses_.size()) report_.finding = report_.so_far;
 }
 
-/// Every so many returns, levelled as the mount says.
+/// Every so many returns, levelled as the mount says. Returns arrive laser by laser, in blocks of 32: an odd
+/// stride comes to all of them.
 std::size_t MountCheck::gather(const Sweep& sweep, Glimpse& glimpse) noexcept {
-  const std::uint32_t stride = sweep.size / static_cast<std::uint32_t>(kMaxPoints) + 1;
+  const std::uint32_t stride = (sweep.size / static_cast<std::uint32_t>(kMaxPoints) + 1) | 1U;
   const Eigen::Matrix3f R = R_level_sensor_.cast<float>();
   const auto far_m = static_cast<float>(config_.max_range_m);
   constexpr float kNear_m = 2.0F;  // the vehicle
@@ -110,38 +115,40 @@ Eigen::Vector3d MountCheck::median_direction(const Vector& vector) noexcept {
   return result.stableNormalized();
 }
 
-void MountCheck::judge() noexcept {
+/// Of the sweeps so far.
+MountFinding MountCheck::judge() noexcept {
   const double share_below = median([](const Glimpse& g) { return g.share_below; });
   const double share_anywhere = median([](const Glimpse& g) { return g.share_anywhere; });
-  report_.share_above = median([](const Glimpse& g) { return g.share_above; });
-  const bool is_below = share_below >= kMinGround && share_below >= kMaxRival * share_anywhere;
+  const double height_below_m = median([](const Glimpse& g) { return g.height_below_m; });
   const double height_anywhere_m = median([](const Glimpse& g) { return g.height_anywhere_m; });
-  const bool is_elsewhere =
-      !is_below && share_anywhere >= kMinElsewhere && height_anywhere_m <= kMostHeights * expected_.height_m;
-
+  report_.share_above = median([](const Glimpse& g) { return g.share_above; });
+  report_.has_estimate = false;
+  const double farthest_m = kMostHeights * expected_.height_m;
+  const bool is_anywhere = share_anywhere >= kMinElsewhere && height_anywhere_m <= farthest_m;
+  // Seen by a sensor on its side, a house front lies below it, and the ground beside it is nearer.
+  const bool is_front = height_below_m > farthest_m && is_anywhere && share_anywhere > share_below;
+  const bool is_below = share_below >= kMinGround && share_below >= kMaxRival * share_anywhere && !is_front;
   if (is_below) {
     const Eigen::Vector3d up = median_direction(&Glimpse::up_below);
-    set_estimate(up, median([](const Glimpse& g) { return g.height_below_m; }), share_below);
-    const double tilt_deg = std::acos(std::clamp(up.z(), -1.0, 1.0)) / kDegree;
-    const bool is_high = std::abs(report_.height_m - expected_.height_m) > config_.max_height_error_m;
-    report_.finding = tilt_deg > config_.max_tilt_error_deg ? MountFinding::kTilted
-                      : is_high                             ? MountFinding::kWrongHeight
-                                                            : MountFinding::kAgrees;
-    return;
+    set_estimate(up, height_below_m, share_below);
+    return judge_below(up);
   }
-  const Eigen::Vector3d up = is_elsewhere ? median_direction(&Glimpse::up_anywhere) : Eigen::Vector3d::Zero();
+  const Eigen::Vector3d up = is_anywhere ? median_direction(&Glimpse::up_anywhere) : Eigen::Vector3d::Zero();
   const bool is_above = up.z() < -0.7;
-  // Mounted upside down on purpose, it sees the ground from afar only, and most returns are above it.
-  const bool looks_down = (R_level_sensor_ * Eigen::Vector3d::UnitZ()).z() > 0.5;
-  if (is_above || (looks_down && report_.share_above >= kMostlyAbove)) {
-    report_.finding = MountFinding::kUpsideDown;
-  } else if (!looks_down) {
-    report_.finding = MountFinding::kUnseen;
-  } else {
-    report_.finding = is_elsewhere ? MountFinding::kRotated : MountFinding::kNoGround;
-  }
-  if (is_above || report_.finding == MountFinding::kRotated)
-    set_estimate(up, height_anywhere_m, share_anywhere);
+  const bool looks_down = (R_level_sensor_ * Eigen::Vector3d::UnitZ()).z() > kLooksDown;
+  const bool is_inverted = is_above || (looks_down && report_.share_above >= kMostlyAbove);
+  if (is_above || (is_anywhere && !is_inverted)) set_estimate(up, height_anywhere_m, share_anywhere);
+  if (is_inverted) return MountFinding::kUpsideDown;
+  if (is_anywhere) return MountFinding::kRotated;
+  return looks_down ? MountFinding::kNoGround : MountFinding::kUnseen;
+}
+
+/// Of a ground below the sensor, the estimate's.
+MountFinding MountCheck::judge_below(const Eigen::Vector3d& up) const noexcept {
+  const double tilt_deg = std::acos(std::clamp(up.z(), -1.0, 1.0)) / kDegree;
+  if (tilt_deg > config_.max_tilt_error_deg) return MountFinding::kTilted;
+  const bool is_high = std::abs(report_.height_m - expected_.height_m) > config_.max_height_error_m;
+  return is_high ? MountFinding::kWrongHeight : MountFinding::kAgrees;
 }
 
 /// `up` in levelled coordinates. R_level_sensor's last row is the vehicle's up as the sensor sees it.

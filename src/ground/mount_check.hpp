@@ -13,7 +13,8 @@ namespace pago::ground {
 
 /// Looks for the ground in the first sweeps, below the sensor as the mount has it and anywhere else, and
 /// compares. In each sweep a few thousand returns near by are looked at; the verdict is that of the middle
-/// sweep (medians). [front thread] everything but the constructor; real-time safe.
+/// sweep (medians), given so far after each sweep and for good after the last. [front thread] everything but
+/// the constructor; real-time safe.
 class MountCheck {
  public:
   /// [set-up] Allocates.
@@ -21,8 +22,9 @@ class MountCheck {
 
   /// Whole sweeps; others are passed over. Does nothing once there is a verdict.
   void look_at(const Sweep& sweep) noexcept;
-  /// The height that the ground is expected at.
-  void expect_height(double height_m) noexcept { expected_.height_m = height_m; }
+
+  /// For the report: the estimated height that the method works with.
+  void note_height(double height_m) noexcept { report_.set_height_m = height_m; }
 
   bool is_pending() const noexcept { return report_.finding == MountFinding::kPending; }
   const MountReport& report() const noexcept { return report_; }
@@ -39,7 +41,8 @@ class MountCheck {
 
   std::size_t gather(const Sweep& sweep, Glimpse& glimpse) noexcept;
   void find_planes(const Points& points, Glimpse& glimpse) const noexcept;
-  void judge() noexcept;
+  MountFinding judge() noexcept;
+  MountFinding judge_below(const Eigen::Vector3d& up) const noexcept;
   void set_estimate(const Eigen::Vector3d& up, double height_m, double share) noexcept;
   template <typename Number>
   double median(const Number& number) noexcept;

@@ -40,8 +40,12 @@ std::string to_text(const MountReport& r, const Mount& mount) {
   switch (r.finding) {
     case MountFinding::kPending:
     case MountFinding::kAgrees:
-    case MountFinding::kUnseen:
       return {};
+    case MountFinding::kUnseen:
+      return format(
+          "mount.roll_rad is %.3f and mount.pitch_rad %.3f: a sensor mounted so does not see the ground near "
+          "by, and [mount] could not be checked",
+          mount.roll_rad, mount.pitch_rad);
     case MountFinding::kWrongHeight:
       return format(
           "the ground is %.2f m below the sensor, but mount.height_m is %.2f; try --set mount.height_m=%.2f",
@@ -65,6 +69,12 @@ std::string to_text(const MountReport& r, const Mount& mount) {
           mount.height_m);
   }
   return {};
+}
+
+std::string height_line(const MountReport& r, const Mount& mount) {
+  if (!(r.set_height_m > 0.0)) return {};
+  return format("height    %.2f m, estimated for the ground method; mount.height_m is %.2f\n", r.set_height_m,
+                mount.height_m);
 }
 
 }  // namespace pago::ground

@@ -10,9 +10,9 @@
 //   revert   elevated planes that are as flat as the others of their ring are ground     (TGR)
 //   learn    the next sweep's bounds, and the height of the sensor
 //
-// Differs from the authors' code: the learnt height stays near the configured one; in a ring with fewer than
-// two low planes only large planes are reverted (there 0 / 0 decides); returns are levelled by the mount
-// first.
+// Differs from the authors' code: what is learnt stays near the configured height, and begins there; in a
+// ring with fewer than two low planes only large planes are reverted (there 0 / 0 decides); returns are
+// levelled by the mount first.
 #include <algorithm>
 #include <array>
 #include <cmath>

@@ -28,9 +28,9 @@ PoseCsv::PoseCsv(const std::filesystem::path& file) : file_(file) {
 }
 
 void PoseCsv::write(const SweepRecord& record) noexcept {
-  std::string row = format("%" PRIu64 ",%" PRId64 ",%s,%s", record.header.sequence, record.stamp_ns,
-                           std::string(to_string(record.health)).c_str(),
-                           std::string(to_string(record.reason)).c_str());
+  std::string row =
+      format("%" PRIu64 ",%" PRId64 ",%s,%s", record.header.sequence, record.stamp_ns,
+             std::string(to_string(record.health)).c_str(), std::string(to_string(record.reason)).c_str());
   for (std::size_t i = 0; i < kSize; ++i)
     for (std::size_t j = i; j < kSize; ++j) row += format(",%.9e", record.covariance[kSize * i + j]);
   file_.write(row + "\n");

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The PaGO authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "pago/core/text.hpp"
+#include <cmath>
+
 #include "pago/evaluation/ground_report.hpp"
 #include "pago/page/chart.hpp"
 #include "pago/page/html.hpp"
@@ -17,8 +18,10 @@ std::string along(const GroundComparison& comparison, const std::string& title, 
   for (std::size_t i = 0; i < comparison.methods.size(); ++i) {
     page::Series series{.name = comparison.methods[i].method, .x = {}, .y = {}, .colour = i};
     for (std::size_t k = 0; k < comparison.frames.size(); ++k) {
+      const double score = ground_score(comparison.methods[i].counts[k]).*value;
+      if (std::isnan(score)) continue;  // not defined: no dot
       series.x.push_back(static_cast<double>(comparison.frames[k]));
-      series.y.push_back(100.0 * ground_score(comparison.methods[i].counts[k]).*value);
+      series.y.push_back(100.0 * score);
     }
     chart.series.push_back(std::move(series));
   }
@@ -26,7 +29,7 @@ std::string along(const GroundComparison& comparison, const std::string& title, 
 }
 
 page::Cell percent(double mean, double deviation) {
-  return {format("%.2f", 100.0 * mean), format("± %.2f", 100.0 * deviation)};
+  return {evaluation::percent_text(mean), "± " + evaluation::percent_text(deviation)};
 }
 
 std::string table(const GroundComparison& comparison) {
@@ -39,7 +42,7 @@ std::string table(const GroundComparison& comparison) {
                           percent(mean.recall, deviation.recall),
                           percent(mean.f1, deviation.f1),
                           percent(mean.accuracy, deviation.accuracy),
-                          {format("%.2f", 100.0 * all[i].pooled.f1)}});
+                          {evaluation::percent_text(all[i].pooled.f1)}});
   }
   return page::table(table);
 }
@@ -48,10 +51,9 @@ std::string block(const GroundComparison& comparison) {
   const std::string rows = table(comparison);
   return page::section(
       "Ground against the labels, protocol " + std::string(to_string(comparison.protocol)),
-      "Here " + std::string(vegetation_rule(comparison.protocol)) +
-          format("; %zu frames. ± is the standard deviation over the frames. The two protocols count "
-                 "vegetation differently: figures of A and of B must not be compared.",
-                 comparison.frames.size()),
+      "Here " + std::string(vegetation_rule(comparison.protocol)) + "; " + frames_text(comparison) +
+          ". ± is the standard deviation over the frames. The two protocols count vegetation differently: "
+          "figures of A and of B must not be compared.",
       rows + page::grid(along(comparison, "Precision over the drive", &GroundScore::precision) +
                         along(comparison, "Recall over the drive", &GroundScore::recall)));
 }

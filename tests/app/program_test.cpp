@@ -27,11 +27,19 @@ TEST_CASE("a capture becomes a results folder with a pose per sweep", "[app][run
     REQUIRE(read_text(folder.path() / "again" / "latest" / "trajectory.kitti") == poses);
   }
   SECTION("a mount that the ground contradicts is warned about, with the estimate") {
-    const Outcome wrong =
-        run_pago(folder.path(), "run street.pcap --set mount.height_m=1.2 --set ground.mount_check.sweeps=3");
+    const Outcome wrong = run_pago(folder.path(), "run street.pcap --set mount.height_m=1.2");
     REQUIRE(wrong.exit_code == 0);
     REQUIRE(wrong.err.find("mount.height_m is 1.20; try --set mount.height_m=1.7") != std::string::npos);
     REQUIRE(outcome.err.find("mount") == std::string::npos);
+  }
+  SECTION("an estimated height is shown and kept") {
+    const Outcome estimated =
+        run_pago(folder.path(), "run street.pcap --set mount.height_m=1.6 --set ground.height.enabled=true");
+    INFO(estimated.out << estimated.err);
+    REQUIRE(estimated.out.find("height    1.7") != std::string::npos);
+    REQUIRE(estimated.out.find("mount.height_m is 1.60") != std::string::npos);
+    REQUIRE(read_text(results / "run.json").find("\"sensor height, estimated\": \"1.7") != std::string::npos);
+    REQUIRE(outcome.out.find("estimated for the ground") == std::string::npos);
   }
   SECTION("what it wrote can be scored") {
     const Outcome score = run_pago(

@@ -48,6 +48,23 @@ TEST_CASE("every rule refuses what breaks it", "[config][validate]") {
   CHECK(
       contains(broken_by([](Config& c) { c.ground.patchwork.zone_rings[2] = 3.5; }), "[2.0, 4.0, 3.5, 4.0]"));
   CHECK(contains(broken_by([](Config& c) { c.ground.patchwork.zone_sectors[0] = 16.1; }), "whole numbers"));
+  CHECK(contains(broken_by([](Config& c) {
+                   c.ground.patchwork_hdl64.min_range_m = 15.0, c.ground.patchwork_hdl64.max_range_m = 5.0;
+                 }),
+                 "ground.patchwork_hdl64.max_range_m is 5.0"));
+  CHECK(contains(broken_by([](Config& c) { c.ground.patchwork_hdl64.zone_rings[0] = 1.5; }),
+                 "ground.patchwork_hdl64.zone_rings is"));
+  CHECK(contains(
+      broken_by([](Config& c) { c.ground.patchworkpp.min_range_m = c.ground.patchworkpp.max_range_m = 8.0; }),
+      "ground.patchworkpp.max_range_m is 8.0"));
+  CHECK(contains(broken_by([](Config& c) { c.ground.patchworkpp.zone_sectors[3] = 3.2; }),
+                 "ground.patchworkpp.zone_sectors is"));
+  CHECK(contains(
+      broken_by([](Config& c) { c.ground.linefit.min_range_m = 2.0, c.ground.linefit.max_range_m = 1.0; }),
+      "begin before they end (ground.linefit.min_range_m is 2.0"));
+  CHECK(contains(
+      broken_by([](Config& c) { c.ground.cascaded.min_range_m = 20.0, c.ground.cascaded.max_range_m = 5.0; }),
+      "begin before they end (ground.cascaded.min_range_m is 20.0"));
   CHECK(contains(broken_by([](Config& c) { c.features.clustering.min_points_tall = 31; }), "is 31"));
   CHECK(contains(broken_by([](Config& c) { c.features.edges_per_sector = 1; }),
                  "features.edges_per_sector is 1"));

@@ -4,6 +4,7 @@
 
 #include <unistd.h>
 
+#include <cmath>
 #include <fstream>
 #include <set>
 
@@ -63,6 +64,19 @@ TEST_CASE("a labelled sweep is counted as its spans are", "[evaluation][ground_m
     CHECK(counts.true_negative == expected.true_negative);
     CHECK(counts.excluded == expected.excluded);
   }
+}
+
+TEST_CASE("low vegetation is low as the mount levels it, and whatever height the mount has",
+          "[evaluation][ground_metrics]") {
+  pago::Sweep sweep(2);
+  sweep.size = 2;
+  sweep.label[0] = sweep.label[1] = 70;
+  sweep.z_m[0] = -1.2F, sweep.z_m[1] = -1.4F;
+  for (const double height_m : {0.9, 1.73, 3.0})
+    CHECK(count_ground(kA, sweep, {.height_m = height_m}).false_negative == 1);
+  sweep.x_m[0] = sweep.x_m[1] = 10.0F;
+  CHECK(count_ground(kA, sweep, {.pitch_rad = 0.1}).false_negative == 2);
+  CHECK(count_ground(kA, sweep, {.pitch_rad = -0.1}).false_negative == 0);
 }
 
 TEST_CASE("protocol A counts low vegetation as ground and the rest of it as not",
@@ -127,12 +141,33 @@ TEST_CASE("frames of the two protocols are never mixed", "[evaluation][ground_me
   CHECK(to_string(kA) != to_string(kB));
 }
 
-TEST_CASE("nothing claimed where nothing is counts as right, elsewhere as wrong",
-          "[evaluation][ground_metrics]") {
-  CHECK(ground_score({}).f1 == 1.0);
-  const GroundScore missed = ground_score(count(kA, {{40, -1.7F, 0}}));
-  CHECK(missed.recall == 0.0);
-  CHECK(missed.f1 == 0.0);
+TEST_CASE("a ratio of nothing to nothing is not defined, and in no mean", "[evaluation][ground_metrics]") {
+  CHECK(std::isnan(ground_score({}).f1));
+  const GroundCounts missed = count(kA, {{40, -1.7F, 0}, {40, -1.7F, 0}});
+  const GroundScore score = ground_score(missed);
+  CHECK(std::isnan(score.precision));
+  CHECK(score.recall == 0.0);
+  CHECK(score.f1 == 0.0);
+
+  const GroundCounts found = count(kA, {{40, -1.7F, 1}, {10, -1.7F, 1}});
+  const GroundSummary both = summarize_ground(std::vector{missed, found});
+  CHECK(both.num_frames == 2);
+  CHECK(both.mean.precision == Approx(0.5));  // of the second alone
+  CHECK(both.deviation.precision == Approx(0.0));
+  CHECK(both.mean.recall == Approx(0.5));
+  CHECK(std::isnan(summarize_ground(std::vector{missed}).mean.precision));
+}
+
+TEST_CASE("frames without ground count in no mean", "[evaluation][ground_metrics]") {
+  const GroundCounts found = count(kA, {{40, -1.7F, 1}, {40, -1.7F, 0}});
+  const GroundCounts unlabelled = count(kA, {{0, -1.7F, 1}, {1, -1.7F, 0}});
+  const GroundCounts wall = count(kA, {{50, 0.0F, 1}});
+  const GroundSummary summary = summarize_ground(std::vector{unlabelled, found, wall});
+  CHECK(summary.num_frames == 1);
+  CHECK(summary.mean.recall == Approx(0.5));
+  CHECK(summary.mean.precision == Approx(1.0));
+  CHECK(summary.pooled.precision == Approx(0.5));
+  CHECK(std::isnan(summarize_ground(std::vector{unlabelled}).mean.f1));
 }
 
 TEST_CASE("label files are refused by name when they do not fit the scan", "[evaluation][ground_metrics]") {

@@ -89,6 +89,18 @@ TEST_CASE("rows of other frames than the first method's are refused with their l
   CHECK_THROWS_WITH(read("a,1,-1,1,1,1,0\n"), Contains(":2"));
 }
 
+TEST_CASE("what is not defined is n/a", "[evaluation][ground]") {
+  GroundComparison a = comparison();
+  a.frames.push_back(8);
+  a.methods[0].counts.push_back({.protocol = kA, .true_negative = 4, .excluded = 9});  // no ground
+  a.methods.push_back({"none", {counts(kA, 0, 0, 10), counts(kA, 0, 0, 100), counts(kA, 0, 0, 0)}});
+  const std::string table = ground_table(a);
+  CHECK_THAT(table, Contains("2 frames, and 1 without ground"));
+  CHECK_THAT(table, Contains("lawn             75.00 +- 25.00  90.00 +- 10.00  77.78 +- 11.11"));
+  CHECK_THAT(table, Contains("none               n/a +-  n/a   0.00 +- 0.00   0.00 +- 0.00        n/a"));
+  CHECK_THAT(ground_csv(a), Contains("\nlawn,8,0,0,0,4,9,n/a,n/a,n/a\n"));
+}
+
 TEST_CASE("protocols are never mixed, and every frame is counted", "[evaluation][ground]") {
   GroundComparison wrong = comparison(kA);
   wrong.protocol = kB;

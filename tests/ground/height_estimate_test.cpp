@@ -110,6 +110,25 @@ TEST_CASE("with the estimate a stage works as if the mount were right", "[ground
   CHECK(stage.height_m() == height_m);
 }
 
+TEST_CASE("a part of a sweep is not estimated from, and what the estimate is comes into the report",
+          "[ground][height]") {
+  Sweep sweep(kMaxReturns);
+  GroundStage stage(with_estimate(), Mount{}, sweep.capacity());
+  for (const unsigned flag : {0U + kPartialStart, 0U + kPartialEnd, 0U + kIncomplete, 0U + kSuperseded, 0U}) {
+    CHECK(stage.height_m() == 1.73);
+    CHECK(stage.mount_report().set_height_m == 0.0);
+    CHECK(height_line(stage.mount_report(), Mount{}).empty());
+    Scene().level_ground().scan(sweep, {.mount = {.height_m = 2.2}, .noise_m = 0.02});
+    sweep.header.flags = flag;
+    stage.begin(sweep);
+    stage.finish(sweep);
+  }
+  CHECK(stage.height_m() == Approx(2.2).margin(0.05));
+  CHECK(stage.mount_report().set_height_m == stage.height_m());
+  CHECK_THAT(height_line(stage.mount_report(), Mount{}),
+             Catch::Contains("height    2.2") && Catch::Contains("mount.height_m is 1.73"));
+}
+
 TEST_CASE("while no sweep shows ground the mount's height holds", "[ground][height]") {
   Sweep sweep(kMaxReturns);
   Scene().box({8, -20, -5}, {9, 20, 5}).scan(sweep);

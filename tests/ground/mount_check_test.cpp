@@ -91,7 +91,10 @@ TEST_CASE("a sensor upside down is noticed unless the mount says so", "[ground][
     const MountReport report = check(inverted, Mount{}, scene);
     CHECK(report.is_warning());
     CHECK_THAT(to_text(report, Mount{}), Contains("upside down") && Contains("mount.roll_rad=3.14"));
-    CHECK(check(inverted, inverted, scene).finding == MountFinding::kUnseen);
+    const MountReport unseen = check(inverted, inverted, scene);
+    CHECK(unseen.finding == MountFinding::kUnseen);
+    CHECK_FALSE(unseen.is_warning());
+    CHECK_THAT(to_text(unseen, inverted), Contains("could not be checked"));
   }
 }
 
@@ -101,6 +104,22 @@ TEST_CASE("points whose z axis looks down are noticed, and the estimate mends th
   const MountReport report = check(Mount{}, inverted);
   CHECK(report.finding == MountFinding::kUpsideDown);
   CHECK(check(Mount{}, estimate(report)).finding == MountFinding::kAgrees);
+}
+
+TEST_CASE("a mount that has the sensor on its side is noticed, and the estimate mends it",
+          "[ground][mount_check]") {
+  for (const double angle_deg : {-90.0, -70.0, 70.0, 90.0}) {
+    for (const Mount& believed :
+         {Mount{.roll_rad = angle_deg * kDegree}, Mount{.pitch_rad = angle_deg * kDegree}}) {
+      INFO("roll " << believed.roll_rad << ", pitch " << believed.pitch_rad);
+      const MountReport report = check(Mount{}, believed);
+      CHECK(report.finding == MountFinding::kRotated);
+      CHECK(report.roll_rad == Approx(0.0).margin(0.02));
+      CHECK(report.pitch_rad == Approx(0.0).margin(0.02));
+      CHECK_THAT(to_text(report, believed), Contains("mount.height_m=1.7"));
+      CHECK(check(Mount{}, estimate(report)).finding == MountFinding::kAgrees);
+    }
+  }
 }
 
 TEST_CASE("axes in another order are noticed, and the estimate mends them", "[ground][mount_check]") {
@@ -140,6 +159,67 @@ TEST_CASE("no plane, no ground", "[ground][mount_check]") {
   const MountReport report = check(Mount{}, Mount{}, clutter);
   CHECK(report.finding == MountFinding::kNoGround);
   CHECK_THAT(to_text(report, Mount{}), Contains("no ground"));
+}
+
+TEST_CASE("the end of a short recording concludes what was seen", "[ground][mount_check]") {
+  Sweep sweep(kMaxReturns);
+  for (const double believed_m : {1.73, 1.0}) {
+    GroundStage stage({}, Mount{.height_m = believed_m}, sweep.capacity());
+    CHECK(stage.mount_report().concluded().finding == MountFinding::kPending);
+    for (std::uint32_t seed = 1; seed <= 3; ++seed) {
+      street().scan(sweep, {.noise_m = 0.02, .seed = seed});
+      stage.begin(sweep);
+      stage.finish(sweep);
+    }
+    CHECK(stage.mount_report().finding == MountFinding::kPending);
+    const MountReport report = stage.mount_report().concluded();
+    CHECK(report.finding == (believed_m == 1.73 ? MountFinding::kAgrees : MountFinding::kWrongHeight));
+    CHECK(report.num_sweeps == 3);
+    CHECK(report.height_m == Approx(1.73).margin(0.03));
+  }
+}
+
+TEST_CASE("an estimate of the height changes nothing of what the check expects", "[ground][mount_check]") {
+  // Upside down, with a low ledge beside it: by itself that is a ground 0.6 m below the sensor.
+  const Mount inverted{.roll_rad = std::numbers::pi};
+  Sweep sweep(kMaxReturns);
+  GroundConfig config;
+  config.mount_check.sweeps = 1;
+  config.height.enabled = true;
+  Scene().level_ground().box({-30, -30, 2.3}, {30, 30, 2.6}).scan(sweep, {.mount = inverted});
+  const auto stage_with = [&](double height_m) {
+    GroundStage stage(config, Mount{.height_m = height_m}, sweep.capacity());
+    stage.begin(sweep);
+    stage.finish(sweep);
+    return stage;
+  };
+  const GroundStage near_by = stage_with(1.0), far_off = stage_with(1.73);
+  CHECK(near_by.height_m() == Approx(0.57).margin(0.05));
+  CHECK(near_by.mount_report().is_warning());
+  CHECK(far_off.height_m() == 1.73);
+  CHECK(far_off.mount_report().is_warning());
+}
+
+TEST_CASE("returns are sampled from every laser, whatever the size of the sweep", "[ground][mount_check]") {
+  GroundConfig config;
+  config.mount_check.sweeps = 1;
+  for (const std::uint32_t size : {100'000U, 128'000U, 200'000U}) {
+    Sweep sweep(size);
+    std::mt19937 random(5);
+    std::uniform_real_distribution<float> place(-10.0F, 10.0F);
+    for (std::uint32_t i = 0; i < size; ++i) {
+      // Of the first laser of either block nothing but a far wall is seen.
+      const bool is_wall = i % 32 == 0;
+      sweep.x_m[i] = is_wall ? 60.0F : place(random);
+      sweep.y_m[i] = place(random);
+      sweep.z_m[i] = is_wall ? place(random) : -1.73F;
+    }
+    sweep.size = size;
+    GroundStage stage(config, Mount{}, size);
+    stage.begin(sweep);
+    stage.finish(sweep);
+    CHECK(stage.mount_report().finding == MountFinding::kAgrees);
+  }
 }
 
 TEST_CASE("sweeps that are not whole say nothing, and the check can be switched off",

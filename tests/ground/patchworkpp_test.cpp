@@ -52,6 +52,32 @@ TEST_CASE("bounds are means and deviations of the latest planes alone", "[ground
   CHECK(bounds.max_flatness_m2(2) == 0.0);  // nothing noted, nothing learnt
 }
 
+TEST_CASE("the bounds on elevation begin at the mount's ground and never leave its neighbourhood",
+          "[ground][patchworkpp]") {
+  const PatchworkppConfig config;
+  for (const double height_m : {0.8, 1.73, 3.0}) {
+    AdaptiveBounds bounds(config, height_m);
+    for (int ring = 0; ring < AdaptiveBounds::kRings; ++ring)
+      CHECK(bounds.max_z_m(ring) == Approx(config.max_elevation_m - height_m));
+    // Planes just below the bound raise it, sweep by sweep: with a spread of their own, without end.
+    for (int sweep = 0; sweep < 200; ++sweep) {
+      for (int ring = 0; ring < AdaptiveBounds::kRings; ++ring)
+        for (int k = 0; k < 20; ++k)
+          bounds.note(ring, bounds.max_z_m(ring) - (k % 2 == 0 ? 0.01 : 0.5), 1e-4);
+      bounds.learn();
+      for (int ring = 0; ring < AdaptiveBounds::kRings; ++ring)
+        CHECK(bounds.max_z_m(ring) <= config.max_elevation_m - height_m + 1e-9);
+    }
+    for (int sweep = 0; sweep < 100; ++sweep) {
+      for (int k = 0; k < 20; ++k) bounds.note(2, -20.0, 1e-4);  // a bridge's side: the road below it
+      bounds.learn();
+    }
+    CHECK(bounds.max_z_m(2) == Approx(-height_m - config.max_elevation_m));
+    bounds.reset(height_m);
+    CHECK(bounds.max_z_m(2) == Approx(config.max_elevation_m - height_m));
+  }
+}
+
 TEST_CASE("Patchwork++ finds the ground of a sensor lower than its mount says, and not beyond the limit",
           "[ground][patchworkpp]") {
   Sweep sweep(kMaxReturns);

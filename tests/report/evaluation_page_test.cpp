@@ -108,4 +108,14 @@ TEST_CASE("ground has a block per protocol, never one table", "[report][ground]"
   CHECK(times(evaluation_page(page), "<h2>Ground against the labels") == 2);
 }
 
+TEST_CASE("a ground score that is not defined is n/a, and no dot", "[report][ground]") {
+  GroundComparison none = ground(GroundProtocol::kPatchwork);
+  none.methods[0] = {"none", {{none.protocol, 0, 0, 90, 5, 0}, {none.protocol, 0, 0, 0, 5, 0}}};
+  const std::string html = ground_page("", std::vector{none}, "pago segment");
+  CHECK(misplaced_tag(html) == "");
+  CHECK_THAT(html, Contains("<td>n/a<small>± n/a</small></td><td>0.00<small>± 0.00</small></td>"));
+  CHECK_THAT(html, Contains("1 frames, and 1 without ground"));
+  CHECK(times(html, "nan") == 0);
+}
+
 }  // namespace

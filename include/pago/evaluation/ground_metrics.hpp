@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include "pago/core/mount.hpp"
 #include "pago/core/sweep.hpp"
 
 namespace pago::evaluation {
@@ -16,7 +17,7 @@ namespace pago::evaluation {
 /// the two, so their figures never go into one table column or one mean.
 enum class GroundProtocol {
   /// A, of the papers Patchwork and PaGO: road, parking, sidewalk, other ground, lane marking and terrain are
-  /// ground, and so is vegetation below -3/4 of the sensor's height; other vegetation is not.
+  /// ground, and so is vegetation below -3/4 of the height of KITTI's sensor; other vegetation is not.
   kPatchwork,
   /// B, of Patchwork++: as A, but vegetation is left out of everything.
   kPatchworkPlusPlus,
@@ -41,25 +42,26 @@ GroundCounts count_ground(GroundProtocol protocol,
                           std::span<const std::uint8_t> mask,
                           float vegetation_cut_m = kVegetationCutMetres);
 
-/// The same of a sweep that has its labels (kLabelled) and its mask.
-GroundCounts count_ground(GroundProtocol protocol,
-                          const Sweep& sweep,
-                          float vegetation_cut_m = kVegetationCutMetres);
+/// The same of a sweep that has its labels (kLabelled) and its mask. Its heights are levelled by the mount's
+/// roll and pitch; the cut is KITTI's, whatever height the mount has: what is true does not depend on what
+/// the methods believe.
+GroundCounts count_ground(GroundProtocol protocol, const Sweep& sweep, const Mount& mount = {});
 
-/// All in [0, 1]. A ratio of nothing to nothing is 1: nothing was there and nothing was claimed.
+/// All in [0, 1]. A ratio of nothing to nothing is not defined: NaN, which reports print as n/a.
 struct GroundScore {
   double precision = 0.0, recall = 0.0, f1 = 0.0, accuracy = 0.0, iou = 0.0;
 };
 GroundScore ground_score(const GroundCounts& counts);
 
-/// Over the frames of a sequence, in order. The published means are `mean`; `deviation` is the stability
-/// figure of the PaGO paper.
+/// Over the frames of a sequence that have ground to be found. The published means are `mean`; `deviation`
+/// is the stability figure of the PaGO paper. A frame where a score is not defined has no part in its mean;
+/// where it is defined in none, the mean is not either.
 struct GroundSummary {
   GroundProtocol protocol = GroundProtocol::kPatchwork;
-  std::size_t num_frames = 0;
-  GroundScore mean;       ///< of the frames' scores
-  GroundScore deviation;  ///< standard deviation over the frames (divided by n)
-  GroundScore pooled;     ///< of all points together
+  std::size_t num_frames = 0;  ///< with ground
+  GroundScore mean;            ///< of the frames' scores
+  GroundScore deviation;       ///< standard deviation over the frames (divided by n)
+  GroundScore pooled;          ///< of all points of all frames together
 };
 
 /// Error when there is no frame, or when the frames were counted by different protocols.

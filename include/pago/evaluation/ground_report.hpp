@@ -31,6 +31,12 @@ std::vector<GroundSummary> ground_summaries(const GroundComparison& comparison);
 /// What a protocol does with vegetation, in words.
 std::string_view vegetation_rule(GroundProtocol protocol) noexcept;
 
+/// A score in [0, 1], or a spread of scores, in percent, of `width`; "n/a" if it is not defined.
+std::string percent_text(double score, int width = 0);
+
+/// How many frames count, and how many do not.
+std::string frames_text(const GroundComparison& comparison);
+
 /// A table for the terminal: per method precision, recall and F1 in percent, as mean and deviation over the
 /// frames, and of all points together. Ends with a line feed.
 std::string ground_table(const GroundComparison& comparison);

@@ -24,7 +24,7 @@ evaluation::GroundSummary score_ground(const Config& config,
   while (Sweep* const sweep = reader.next()) {
     if (!sweep->header.is_posed()) continue;
     process(*segmenter, *sweep);
-    frames.push_back(count_ground(protocol, *sweep));
+    frames.push_back(count_ground(protocol, *sweep, config.mount));
   }
   return evaluation::summarize_ground(frames);
 }

@@ -1,24 +1,31 @@
 // SPDX-FileCopyrightText: 2026 The PaGO authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// The table of docs/ground.md: every method against labels, by both protocols, on the labelled real scan (a
-// slope), on simulated streets, and on a slope with a rough verge. Bounds are on the real scan: no more than
-// 1 % of F1 below what the authors' codes give there with the same settings.
+// The tables of docs/ground.md: every method against labels, by both protocols, on the labelled real scan (a
+// slope), on streets of the simulator, and on a test scene, a slope with a rough verge. On the real scan no
+// method may be more than 1 % of F1 below what the authors' codes give there with the same settings; on the
+// others the default method must reach 95 %. Then what accounts for differences from the authors' codes, and
+// what mirror images under the ground do.
+#include <algorithm>
 #include <functional>
+#include <random>
 #include <vector>
 
+#include "pago/core/semantic_kitti.hpp"
 #include "pago/evaluation/ground_report.hpp"
 #include "pago/kitti/kitti_source.hpp"
 #include "pago/pipeline/sweep_reader.hpp"
 #include "pago/simulator/simulator_source.hpp"
 #include "tests/claims/report.hpp"
 #include "tests/ground/cases.hpp"
+#include "tests/ground/reference/reference.hpp"
 #include "tests/support/scene.hpp"
 
 using namespace pago;
 using claims::Report;
 using evaluation::GroundComparison;
 using evaluation::GroundProtocol;
+using evaluation::GroundScore;
 
 namespace {
 
@@ -117,17 +124,96 @@ void judge(Report& out, const Contest& contest) {
   }
 }
 
-void on_real_scan(Report& out) {
-  Contest contest(Mount{.height_m = 1.723});
+constexpr Mount kKitti{.height_m = 1.723};
+
+void load_scan(Sweep& sweep) {
   KittiSource source(claims::recording("kitti/semantickitti_single"));
+  if (!source.fill(sweep)) throw std::runtime_error("the scan cannot be read: " + source.complaint());
+}
+
+void on_real_scan(Report& out) {
+  Contest contest(kKitti);
   Sweep sweep(KittiSource::kMaxPoints);
-  while (source.fill(sweep)) contest.run(sweep);
+  load_scan(sweep);
+  contest.run(sweep);
   contest.print("real scan");
   judge(out, contest);
 }
 
+/// By protocol B, in percent.
+GroundScore score_b(const Sweep& sweep) {
+  GroundScore score = ground_score(count_ground(GroundProtocol::kPatchworkPlusPlus, sweep));
+  for (double* figure : {&score.precision, &score.recall, &score.f1}) *figure *= 100.0;
+  return score;
+}
+
+/// What the plain references find on the real scan, and what they do once they do as the authors' codes in
+/// one thing.
+void account_for_differences(Report& out) {
+  Sweep sweep(KittiSource::kMaxPoints);
+  load_scan(sweep);
+  const auto show = [&](const std::string& what, const test::Reference& reference) {
+    const test::Mask mask = reference(sweep);
+    std::copy(mask.begin(), mask.end(), sweep.ground.data());
+    const GroundScore score = score_b(sweep);
+    out.shown("ground accuracy: plain " + what + ", real scan, P / R / F1 by protocol B",
+              format("%.1f / %.1f / %.1f %%", score.precision, score.recall, score.f1));
+  };
+  GroundConfig c;
+  c.gpf.planes = GpfConfig::Planes::kSlabs;
+  show("linefit, nearer line", test::linefit_reference(c.linefit, kKitti));
+  show("linefit, farther line", test::linefit_reference(c.linefit, kKitti, test::NeighbourLine::kFarther));
+  show("gpf slabs, normals up", test::gpf_reference(c.gpf, kKitti));
+  show("gpf slabs, normals as fitted", test::gpf_reference(c.gpf, kKitti, test::NormalSign::kAsFitted));
+}
+
+/// Moves a part of the ground's returns 1.2 to 2.5 times as far along their beams, where mirror images on a
+/// wet road and second returns lie: below the ground. They are labelled outliers, so that only what the
+/// method loses among the others counts.
+void add_mirror_images(Sweep& sweep, double rate) {
+  std::mt19937 random(1);
+  std::uniform_real_distribution<float> chance(0.0F, 1.0F), factor(1.2F, 2.5F);
+  for (std::uint32_t i = 0; i < sweep.size; ++i) {
+    if (!semantic_kitti::is_ground(sweep.label[i]) || !(chance(random) < static_cast<float>(rate))) continue;
+    const float farther = factor(random);
+    for (auto* coordinate : {&sweep.x_m, &sweep.y_m, &sweep.z_m}) (*coordinate)[i] *= farther;
+    sweep.label[i] = semantic_kitti::kOutlier;
+  }
+}
+
+void on_mirror_images(Report& out) {
+  Sweep sweep(KittiSource::kMaxPoints);
+  for (const char* const method : {"patchwork", "patchwork-hdl64", "patchworkpp", "lego"}) {
+    GroundConfig config;
+    config.method = method;
+    std::string figures;
+    for (const double percent : {0.0, 0.5, 2.0, 5.0}) {
+      sweep.reset();
+      load_scan(sweep);
+      add_mirror_images(sweep, 0.01 * percent);
+      test::segment(*ground::make_segmenter(config, kKitti, sweep.capacity()), sweep);
+      const double f1 = score_b(sweep).f1;
+      figures += format("%s%.1f", figures.empty() ? "" : " / ", f1);
+      // The default method must bear a few.
+      if (config.method == GroundConfig{}.method && percent <= 2.0)
+        out.at_least(format("ground accuracy: patchwork, %g %% mirror images, F1 by protocol B", percent), f1,
+                     95.0, " %");
+    }
+    out.shown("ground accuracy: " + config.method + ", 0 / 0.5 / 2 / 5 % mirror images, F1 by B",
+              figures + " %");
+  }
+}
+
+/// The default method, on ground that nobody chose its settings on.
+void judge_default(Report& out, const Contest& contest, const std::string& where) {
+  constexpr double kMinF1_percent = 95.0;
+  for (const std::size_t protocol : {std::size_t{0}, std::size_t{1}})
+    out.at_least("ground accuracy: patchwork, " + where + ", F1 by protocol " + (protocol == 0 ? "A" : "B"),
+                 contest.f1(protocol, 0), kMinF1_percent, " %");
+}
+
 /// Every fifth sweep of three drives.
-void on_streets() {
+void on_streets(Report& out) {
   Contest contest{Mount{}};
   for (const int seed : {11, 12, 13}) {
     Config config;
@@ -140,10 +226,12 @@ void on_streets() {
       if (i % 5 == 2 && sweep->header.is_posed()) contest.run(*sweep);
   }
   contest.print("simulated streets");
+  judge_default(out, contest, "simulated streets");
 }
 
-/// A road that climbs, between verges with bumps of two sizes, a wall and cars.
-void on_slope() {
+/// A scene of the tests, not the simulator: a road that climbs, between verges whose bumps are sines of two
+/// lengths, a wall and two cars, everything of exact geometry with 2 cm of noise.
+void on_slope(Report& out) {
   Contest contest{Mount{}};
   Sweep sweep(test::kMaxReturns);
   for (const double grade : {-0.08, -0.04, 0.04, 0.08}) {
@@ -159,6 +247,7 @@ void on_slope() {
     contest.run(sweep);
   }
   contest.print("slope with rough verge");
+  judge_default(out, contest, "slope with rough verge");
 }
 
 }  // namespace
@@ -166,7 +255,9 @@ void on_slope() {
 int main() {
   return claims::run("ground accuracy", [](Report& out) {
     on_real_scan(out);
-    on_streets();
-    on_slope();
+    account_for_differences(out);
+    on_mirror_images(out);
+    on_streets(out);
+    on_slope(out);
   });
 }

@@ -8,8 +8,8 @@
 
 namespace pago::test {
 
-Reference gpf_reference(const GpfConfig& c, const Mount& mount) {
-  return [c, mount](const Sweep& sweep) {
+Reference gpf_reference(const GpfConfig& c, const Mount& mount, NormalSign sign) {
+  return [c, mount, sign](const Sweep& sweep) {
     std::map<int, PointList> slabs;
     for (const Point& point : returns_of(sweep, mount)) {
       const double ahead_m = std::cos(mount.yaw_rad) * point.p.x() - std::sin(mount.yaw_rad) * point.p.y();
@@ -24,7 +24,7 @@ Reference gpf_reference(const GpfConfig& c, const Mount& mount) {
       const double lowest_m =
           lowest_mean(starters, c.lowest_points, -std::numeric_limits<double>::infinity());
       const Plane plane =
-          grow(starters, slab, lowest_m + c.seed_height_m, c.ground_thickness_m, c.iterations);
+          grow(starters, slab, lowest_m + c.seed_height_m, c.ground_thickness_m, c.iterations, sign);
       if (plane.is_valid) mark(mask, below(slab, plane, c.ground_thickness_m));
     }
     return mask;

@@ -87,15 +87,17 @@ std::optional<double> distance(const std::vector<Line>& lines, const Spot& spot,
   return result;
 }
 
-std::optional<double> nearer(const std::optional<double>& a, const std::optional<double>& b) {
-  if (a && b) return std::min(*a, *b);
+std::optional<double> either(const std::optional<double>& a,
+                             const std::optional<double>& b,
+                             NeighbourLine which) {
+  if (a && b) return which == NeighbourLine::kNearer ? std::min(*a, *b) : std::max(*a, *b);
   return a ? a : b;
 }
 
 }  // namespace
 
-Reference linefit_reference(const LinefitConfig& c, const Mount& mount) {
-  return [c, mount](const Sweep& sweep) {
+Reference linefit_reference(const LinefitConfig& c, const Mount& mount, NeighbourLine which) {
+  return [c, mount, which](const Sweep& sweep) {
     const double bin_step = (c.max_range_m - c.min_range_m) / c.bins;
     const double segment_step = 2.0 * std::numbers::pi / c.segments;
     const auto segment_of = [&](const Point& point) {
@@ -127,7 +129,7 @@ Reference linefit_reference(const LinefitConfig& c, const Mount& mount) {
       const int segment = segment_of(point);
       std::optional<double> off = off_lines_of(segment);
       for (int k = 1; !off && k * segment_step < c.line_search_angle_rad && k <= c.segments / 2; ++k)
-        off = nearer(off_lines_of(segment + k), off_lines_of(segment - k));
+        off = either(off_lines_of(segment + k), off_lines_of(segment - k), which);
       if (off && *off < c.max_distance_to_line_m) mask[point.index] = kGround;
     }
     return mask;

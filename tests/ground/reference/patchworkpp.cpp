@@ -44,7 +44,7 @@ class Sequence {
  public:
   Sequence(const PatchworkppConfig& c, const Mount& mount) : c_(c), mount_(mount) {
     known_.height_m = mount.height_m;
-    known_.max_z_m.fill(c.initial_elevation_m - mount.height_m);
+    known_.max_z_m.fill(c.max_elevation_m - mount.height_m);
   }
 
   Mask segment(const Sweep& sweep) {
@@ -146,7 +146,8 @@ class Sequence {
       while (known_.flatness[r].size() > memory) known_.flatness[r].pop_front();
       if (known_.z_m[r].empty()) continue;
       const Spread z = spread_of(known_.z_m[r]);
-      known_.max_z_m[r] = z.mean + (r == 0 ? 3.0 : 2.0) * z.deviation;
+      const double elevation_m = z.mean + (r == 0 ? 3.0 : 2.0) * z.deviation + mount_.height_m;
+      known_.max_z_m[r] = std::clamp(elevation_m, -c_.max_elevation_m, c_.max_elevation_m) - mount_.height_m;
       if (r == 0)
         known_.height_m = std::clamp(-z.mean, mount_.height_m - c_.max_height_change_m,
                                      mount_.height_m + c_.max_height_change_m);

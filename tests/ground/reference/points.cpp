@@ -3,6 +3,7 @@
 #include "tests/ground/reference/points.hpp"
 
 #include <Eigen/Eigenvalues>
+#include <Eigen/SVD>
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -34,7 +35,7 @@ void mark(Mask& mask, const PointList& ground) {
   for (const Point& g : ground) mask[g.index] = kGround;
 }
 
-Plane fit(const PointList& points) {
+Plane fit(const PointList& points, NormalSign sign) {
   if (points.size() < 3) return {};
   const double n = static_cast<double>(points.size());
   Plane plane;
@@ -48,7 +49,11 @@ Plane fit(const PointList& points) {
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(covariance);
   plane.variance = solver.eigenvalues();
   plane.normal = solver.eigenvectors().col(0);
-  if (plane.normal.z() < 0.0) plane.normal = -plane.normal;
+  // The decomposition that the measured code uses.
+  if (sign == NormalSign::kAsFitted)
+    plane.normal = Eigen::JacobiSVD<Eigen::Matrix3d>(covariance, Eigen::ComputeFullU).matrixU().col(2);
+  else if (plane.normal.z() < 0.0)
+    plane.normal = -plane.normal;
   plane.is_valid = plane.variance[2] > 0.0;
   return plane;
 }
@@ -80,11 +85,12 @@ Plane grow(const PointList& starters,
            const PointList& points,
            double seed_top_m,
            double thickness_m,
-           int iterations) {
+           int iterations,
+           NormalSign sign) {
   PointList members = lower_than(starters, seed_top_m);
   Plane plane;
   for (int i = 0; i < iterations; ++i) {
-    plane = fit(members);
+    plane = fit(members, sign);
     if (!plane.is_valid) return plane;
     members = below(points, plane, thickness_m);
   }

@@ -18,10 +18,14 @@ using Mask = std::vector<std::uint8_t>;
 /// The mask of a sweep; may remember the sweeps before.
 using Reference = std::function<Mask(const Sweep&)>;
 
+/// What authors' codes do otherwise: to measure how much it accounts for.
+enum class NormalSign { kUp, kAsFitted };        ///< kAsFitted: as the decomposition happens to give it
+enum class NeighbourLine { kNearer, kFarther };  ///< of the lines in the segments to the left and right
+
 Reference cascaded_reference(const CascadedConfig&, const Mount&);
-Reference gpf_reference(const GpfConfig&, const Mount&);
+Reference gpf_reference(const GpfConfig&, const Mount&, NormalSign = NormalSign::kUp);
 Reference lego_reference(const LegoConfig&, const Mount&);
-Reference linefit_reference(const LinefitConfig&, const Mount&);
+Reference linefit_reference(const LinefitConfig&, const Mount&, NeighbourLine = NeighbourLine::kNearer);
 Reference patchwork_reference(const PatchworkConfig&, const Mount&);
 Reference patchworkpp_reference(const PatchworkppConfig&, const Mount&);
 Reference ransac_reference(const RansacConfig&, const Mount&);

@@ -34,12 +34,14 @@ struct HeightEstimateConfig {
   int sectors = 20;
   double max_linearity = 0.9;
   double noise_bound_m = 0.2;
+  double max_change_m = 1.0;
 };
 
 template <typename Visitor>
 void describe(Visitor& v, HeightEstimateConfig& c) {
   v("enabled", c.enabled,
-    "whether the height is taken from the first sweep in which it can be seen; false: mount.height_m holds");
+    "whether the height is taken from the first whole sweep in which it can be seen; false: mount.height_m "
+    "holds");
   v("max_range_m", c.max_range_m, within(3.0, 50.0),
     "horizontal; looked at are returns up to this range, up to twice and four times as far if that shows no "
     "ground "
@@ -49,6 +51,9 @@ void describe(Visitor& v, HeightEstimateConfig& c) {
     "planes whose returns lie on a line more than this are left out (code: 0.9)");
   v("noise_bound_m", c.noise_bound_m, within(0.001, 5.0),
     "planes agree on a height within this, the more loosely the more linear they are (code: 0.2)");
+  v("max_change_m", c.max_change_m, within(0.0, 10.0),
+    "an estimate that differs more from mount.height_m is not taken: of a sensor upside down it is of "
+    "something else than the ground (code: no bound)");
 }
 
 }  // namespace pago

@@ -10,7 +10,7 @@ namespace pago {
 
 /// [ground.patchworkpp] Lee, Lim and Myung, "Patchwork++: Fast and Robust Ground Segmentation Solving Partial
 /// Under-Segmentation Using 3D Point Cloud", IROS 2022. Defaults are the authors' code's for the HDL-64E,
-/// except max_height_change_m and initial_elevation_m. It learns from sweep to sweep: the mask depends on
+/// except max_height_change_m and max_elevation_m. It learns from sweep to sweep: the mask depends on
 /// what came before.
 struct PatchworkppConfig {
   double min_range_m = 2.7;
@@ -40,7 +40,7 @@ struct PatchworkppConfig {
   int large_points = 1500;
 
   int memory = 1000;
-  double initial_elevation_m = 1.73;
+  double max_elevation_m = 1.0;
   double max_height_change_m = 0.3;
 };
 
@@ -94,8 +94,10 @@ void describe(Visitor& v, PatchworkppConfig& c) {
   v("memory", c.memory, within(2, 10000),
     "how many of each inner ring's latest planes the bounds on elevation and flatness are learnt from (code: "
     "1000)");
-  v("initial_elevation_m", c.initial_elevation_m, within(-10.0, 100.0),
-    "bound on the elevation of the inner rings before anything is learnt (code: as high as the sensor)");
+  v("max_elevation_m", c.max_elevation_m, within(0.0, 100.0),
+    "the bounds on the elevation of the inner rings begin at this above the ground, as mount.height_m has "
+    "it, "
+    "and are learnt within this above and below it (code: begin at the sensor, no bound)");
   v("max_height_change_m", c.max_height_change_m, within(0.0, 10.0),
     "the learnt height of the sensor stays within this of mount.height_m (code: no bound)");
 }
