@@ -16,7 +16,7 @@ namespace pago::output {
 namespace {
 
 constexpr int kTileBits = 9;  // voxels a side; in height 14 bits, after which they repeat
-constexpr std::size_t kBlock_points = 65'536;
+constexpr std::size_t kBlockPoints = 65'536;
 constexpr const char* kTileFolder = "map_tiles";
 
 int floor_to_int(float x) noexcept {
@@ -82,7 +82,7 @@ bool MapWriter::read(const Corner& corner, const Tile& tile, Use use) const {
   std::string bytes;
   std::ifstream file(file_of(corner), std::ios::binary);
   for (std::uint64_t left = tile.num_in_file; left > 0;) {
-    const std::size_t count = std::min<std::uint64_t>(left, kBlock_points);
+    const std::size_t count = std::min<std::uint64_t>(left, kBlockPoints);
     bytes.resize(count * kPlyPointBytes);
     if (!file.read(bytes.data(), static_cast<std::streamsize>(bytes.size()))) return false;
     use(bytes);
