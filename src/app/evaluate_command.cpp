@@ -51,7 +51,12 @@ CLI::Validator words(const Words& known) {
   return CLI::IsMember(known).description("");
 }
 CLI::Validator positive() {
-  return CLI::Validator(CLI::PositiveNumber).description("");
+  const auto complaint = [](const std::string& text) {
+    double value = 0.0;
+    return CLI::detail::lexical_cast(text, value) && value > 0.0 ? std::string()
+                                                                 : text + " is no number above 0";
+  };
+  return CLI::Validator(complaint, "");
 }
 
 void add_matching_options(CLI::App& command, EvaluateOptions& options) {

@@ -29,6 +29,12 @@ int parse_and_act(int argc, char** argv) {
   pago::app::add_demo_command(program, action);
   pago::app::add_simulate_command(program, action);
 #endif
+  // Before the options: `pago profil --help` is no wish for this help.
+  const auto is_meant = [&](const CLI::App* command) { return argc > 1 && command->get_name() == argv[1]; };
+  if (argc > 1 && argv[1][0] != '-' && program.get_subcommands(is_meant).empty()) {
+    std::cerr << "pago: there is no command '" << argv[1] << "' (see pago --help)\n";
+    return kBadInput;
+  }
   try {
     program.parse(argc, argv);
   } catch (const CLI::Success& wanted) {  // --help, --version

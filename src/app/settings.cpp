@@ -25,7 +25,7 @@ Config SettingsOptions::load() const {
 void PartOptions::add_to(CLI::App& command) {
   command.add_option("--start", start_s, "of a capture, skip so many seconds at the beginning")
       ->type_name("SECONDS");
-  command.add_option("--duration", duration_s, "of a capture, use so many seconds after that")
+  command.add_option("--duration", duration_s, "of a capture, use so many seconds after that; 0: all")
       ->type_name("SECONDS");
 }
 

@@ -175,6 +175,10 @@ OpenSource open(const std::string& name, Config& config) {
   if (is_live_name(name)) return open_live(name, config);
   if (const auto file = after(name, "pcap")) return open_capture(*file, config);
   const auto folder = after(name, "kitti");
+  if (name.empty() || folder == "")
+    throw Error("source", "has no name", "give a capture, a folder or udp://:2368");
+  if (fs::path(name).extension() == ".bin")
+    throw Error(name, "is a single scan", "name the folder that it lies in");
   std::error_code unknown;
   if (folder || fs::is_directory(name, unknown)) {
     return OpenFolder{std::make_unique<KittiSource>(folder.value_or(name), config.kitti,

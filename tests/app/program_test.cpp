@@ -78,7 +78,10 @@ TEST_CASE("bad input ends with one clear line and code 2", "[app][refusals]") {
   require_one_line_and_code_2(run("run street.pcap --ground truth"), "has no labels");
   require_one_line_and_code_2(run("run street.pcap --set packets.port=9"), "packets.port");
   require_one_line_and_code_2(run("run stree.pcap --sat x=1"), "--sat");
-  require_one_line_and_code_2(run("drive"), "drive");
+  require_one_line_and_code_2(run("drive --help"), "no command 'drive'");
+  require_one_line_and_code_2(run("run kitti:"), "has no name");
+  require_one_line_and_code_2(run("run velodyne/000000.bin"), "folder");
+  require_one_line_and_code_2(run("evaluate a.tum b.tum --lengths -1"), "-1 is no number above 0");
   require_one_line_and_code_2(run(""), "no command");
   require_one_line_and_code_2(run("evaluate missing.tum missing.tum"), "missing.tum");
   write("broken.toml", "[ground]\nmethod = 3\n");
