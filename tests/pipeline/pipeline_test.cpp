@@ -103,7 +103,7 @@ TEST_CASE("keyframes reach the observer in order, ahead of their records, and on
   };
   Vector6d twist = Vector6d::Zero();
   twist[0] = 8.0;
-  const std::vector<test::PacketBytes> packets = test::drive_packets(twist, 14);
+  const std::vector<test::PacketBytes> packets = test::drive_packets(twist, 10);
   for (const bool is_wanted : {true, false}) {
     Config config = small_config();
     config.output.map.save = is_wanted;
