@@ -157,10 +157,4 @@ std::size_t RayCaster::num_tiles() const noexcept {
   return state_->tiles.size();
 }
 
-std::size_t RayCaster::num_triangles() const noexcept {
-  std::size_t sum = 0;
-  for (const auto& [key, loaded] : state_->tiles) sum += loaded->mesh.triangles.size();
-  return sum;
-}
-
 }  // namespace pago::simulator

@@ -61,7 +61,6 @@ class RayCaster {
   Hit cast_on(const RayPacket& rays, std::size_t index, float from_m) const noexcept;
 
   std::size_t num_tiles() const noexcept;
-  std::size_t num_triangles() const noexcept;
 
  private:
   struct State;

@@ -23,10 +23,6 @@ float float_at(const char* bytes) noexcept {
   return std::bit_cast<float>(word);
 }
 
-void put(std::string& bytes, const PlyPoint& point) {
-  append(bytes, point);
-}
-
 void put(std::string& bytes, const ColouredPoint& point) {
   for (const float value : {point.x_m, point.y_m, point.z_m}) put(bytes, value);
   for (const std::uint8_t part : point.colour) bytes += static_cast<char>(part);
@@ -38,22 +34,6 @@ std::string header(const char* what, std::uint64_t num_points, std::initializer_
                      "\nproperty float x\nproperty float y\nproperty float z\n";
   for (const char* name : bytes) text += std::string("property uchar ") + name + "\n";
   return text + "end_header\n";
-}
-
-template <typename Point>
-void write(const std::filesystem::path& file, const std::string& head, std::span<const Point> points) {
-  constexpr std::size_t kBlock = 65'536;
-  TextFile out(file);
-  out.write(head);
-  std::string bytes;
-  for (std::size_t start = 0; start < points.size(); start += kBlock) {
-    bytes.clear();
-    for (const Point& point : points.subspan(start, std::min(kBlock, points.size() - start)))
-      put(bytes, point);
-    out.write(bytes);
-  }
-  out.flush();
-  out.throw_if_incomplete();
 }
 
 }  // namespace
@@ -76,12 +56,19 @@ std::string map_header(std::uint64_t num_points) {
   return header("map", num_points, {"intensity", "ground"});
 }
 
-void write_ply(const std::filesystem::path& file, std::span<const PlyPoint> points) {
-  write(file, map_header(points.size()), points);
-}
-
 void write_ply(const std::filesystem::path& file, std::span<const ColouredPoint> points) {
-  write(file, header("scan", points.size(), {"red", "green", "blue"}), points);
+  constexpr std::size_t kBlock = 65'536;
+  TextFile out(file);
+  out.write(header("scan", points.size(), {"red", "green", "blue"}));
+  std::string bytes;
+  for (std::size_t start = 0; start < points.size(); start += kBlock) {
+    bytes.clear();
+    for (const ColouredPoint& point : points.subspan(start, std::min(kBlock, points.size() - start)))
+      put(bytes, point);
+    out.write(bytes);
+  }
+  out.flush();
+  out.throw_if_incomplete();
 }
 
 }  // namespace pago::output

@@ -4,6 +4,7 @@
 
 #include <random>
 
+#include "hdl64/made_up_unit.hpp"
 #include "pago/hdl64/calibration_check.hpp"
 #include "support/capture.hpp"
 #include "support/catch.hpp"
@@ -13,36 +14,11 @@
 
 using namespace pago;
 using namespace pago::hdl64;
+using test::some_unit;
 using test::StatusCycle;
 using test::StatusOptions;
 
 namespace {
-
-constexpr double kDegree = 3.14159265358979323846 / 180.0;
-
-/// A unit of figures that the status bytes can express exactly.
-Calibration some_unit(unsigned seed = 1) {
-  std::mt19937 random(seed);
-  const auto within = [&](int low, int high) {
-    return low + static_cast<int>(random() % static_cast<unsigned>(high - low + 1));
-  };
-  Calibration unit;
-  for (LaserCalibration& laser : unit.lasers) {
-    laser.vertical_rad = within(-2500, 500) * 0.01 * kDegree;
-    laser.rotation_rad = within(-1000, 1000) * 0.01 * kDegree;
-    const int distance_mm = within(800, 1600);
-    laser.distance_m = distance_mm * 1e-3;
-    laser.distance_x_m = (distance_mm + within(-100, 100)) * 1e-3;
-    laser.distance_y_m = (distance_mm + within(-100, 100)) * 1e-3;
-    laser.vertical_offset_m = within(100, 220) * 1e-3;
-    laser.horizontal_offset_m = within(-26, 26) * 1e-3;
-    laser.focal_distance_m = within(500, 25'000) * 1e-3;
-    laser.focal_slope = within(0, 20) * 0.1;
-    laser.min_intensity = static_cast<std::uint8_t>(within(0, 40));
-    laser.max_intensity = static_cast<std::uint8_t>(within(200, 255));
-  }
-  return unit;
-}
 
 StatusOptions s3_options() {
   StatusOptions options;
@@ -375,36 +351,4 @@ TEST_CASE("the drive without any in-band calibration gives none", "[hdl64][statu
   }
   CHECK_FALSE(reader.has_calibration());
   CHECK(reader.status().gps == GpsState::kFixed);
-}
-
-TEST_CASE("another unit's calibration is told by how far it is off", "[hdl64][calibration_check]") {
-  const Calibration a = some_unit(1);
-  CHECK_FALSE(compare(a.lasers, a.lasers).is_other_unit());
-  CHECK(complaint_about(compare(a.lasers, a.lasers), "db.xml").empty());
-  Calibration b = a;
-  for (LaserCalibration& laser : b.lasers) laser.vertical_rad += 0.04 * kDegree;
-  CHECK_FALSE(compare(a.lasers, b.lasers).is_other_unit());
-  b.lasers[12].vertical_rad += 1.2 * kDegree;
-  const CalibrationDifference difference = compare(a.lasers, b.lasers);
-  CHECK(difference.vertical_deg == Approx(0.04 + 1.2 / 64.0));
-  CHECK(difference.max_vertical_deg == Approx(1.24));
-  CHECK(difference.worst_laser == 12);
-  CHECK(difference.is_other_unit());
-  CHECK_THAT(complaint_about(difference, "db.xml"),
-             Catch::Contains("wrong calibration: db.xml") && Catch::Contains("laser 12, by 1.24 deg"));
-  CHECK(compare(a.lasers, some_unit(2).lasers).is_other_unit());
-}
-
-TEST_CASE("real units' files are told from each other", "[hdl64][calibration_check]") {
-  PAGO_DATA_OR_SKIP(folder, "packets/calibration");
-  std::vector<Calibration> units;
-  for (const char* name :
-       {"ros-drivers_64e_s2.1-sztaki.xml", "ros-drivers_64e_s3-xiesc.yaml", "ros-drivers_64e_utexas.yaml",
-        "veloview_HDL-64.xml", "ajaayc_db.xml", "jmaye_calib-HDL-64E.xml", "mdamien_db.xml"})
-    units.push_back(load_calibration(folder / name, VerticalOffset::kVertical));
-  for (std::size_t i = 0; i < units.size(); ++i)
-    for (std::size_t j = 0; j < units.size(); ++j) {
-      INFO(units[i].origin << " and " << units[j].origin);
-      CHECK(compare(units[i].lasers, units[j].lasers).is_other_unit() == (i != j));
-    }
 }

@@ -23,12 +23,9 @@ inline constexpr std::size_t kPlyPointBytes = 14;
 void append(std::string& bytes, const PlyPoint& point);
 PlyPoint ply_point(const char* bytes) noexcept;
 
-/// What a map's file begins with; its points follow.
+/// What a map's file begins with, a binary little-endian PLY with the vertex properties x y z (float)
+/// intensity ground (uchar); its points follow.
 std::string map_header(std::uint64_t num_points);
-
-/// Writes a binary little-endian PLY with the vertex properties x y z (float) intensity ground (uchar): 14
-/// bytes per point. Error when the file cannot be made or written. [set-up]
-void write_ply(const std::filesystem::path& file, std::span<const PlyPoint> points);
 
 /// A point of a scan that shows something by its colour; metres in the scan's own frame.
 struct ColouredPoint {
@@ -36,7 +33,8 @@ struct ColouredPoint {
   Colour colour{};
 };
 
-/// The same with the vertex properties x y z (float) red green blue (uchar): 15 bytes per point.
+/// Writes a binary little-endian PLY with the vertex properties x y z (float) red green blue (uchar): 15
+/// bytes per point. Error when the file cannot be made or written. [set-up]
 void write_ply(const std::filesystem::path& file, std::span<const ColouredPoint> points);
 
 }  // namespace pago::output
