@@ -171,6 +171,7 @@ int demo_command(const DemoOptions& options) {
   witness.stop();
 
   output::RunReport report = report_of(summary, "sim:" + options.drive, config, true, wall_s);
+  report.is_live = true;
   if (!stop_requested()) report.complaint.clear();
   recorder->finish(report);
   std::cout << '\n'
