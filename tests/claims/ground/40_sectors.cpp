@@ -54,32 +54,10 @@ void report(Report& out, const std::string& where, std::uint64_t sweeps, std::ui
   out.exactly("ground sectors: returns whose mask differs, " + where, static_cast<std::uint64_t>(wrong), 0);
 }
 
-/// Lets the parts of every so many rotations through.
-class Selection {
- public:
-  explicit Selection(std::uint64_t every) : every_(every) {}
-  bool takes(const SweepPart& part) {
-    const bool takes_it = rotation_ % every_ == 0;
-    rotation_ += part.last ? 1U : 0U;
-    return takes_it;
-  }
-
- private:
-  std::uint64_t every_, rotation_ = 0;
-};
-
-/// Every so many rotations of a capture, the parts of one at either end included, assembled in each number of
-/// sectors.
-void on_capture(Report& out,
-                const std::string& capture,
-                const std::string& calibration,
-                std::uint64_t every) {
+/// Every rotation of a capture, the parts of one at either end included, assembled in each number of sectors.
+void on_capture(Report& out, const std::string& capture, const std::string& calibration) {
   const auto assemble = [&](int sectors, const auto& take) {
-    Selection selection(every);
-    test::RecordedSweeps drive(claims::recording(capture), claims::recording(calibration), sectors,
-                               [&](const SweepPart& part) {
-                                 if (selection.takes(part)) take(part);
-                               });
+    test::RecordedSweeps drive(claims::recording(capture), claims::recording(calibration), sectors, take);
     while (drive.next() != nullptr) {
     }
   };
@@ -128,7 +106,7 @@ void on_rough_scene(Report& out) {
 int main() {
   return claims::run("ground sectors", [](Report& out) {
     on_rough_scene(out);
-    on_capture(out, "packets/lab_rural/packets.pcap", "packets/lab_rural/calibration.xml", 10);
-    on_capture(out, "packets/drive_0005/drive_0005.pcap", "packets/drive_0005/calibration.yaml", 1);
+    on_capture(out, "packets/lab_rural/packets.pcap", "packets/lab_rural/calibration.xml");
+    on_capture(out, "packets/drive_0005/drive_0005.pcap", "packets/drive_0005/calibration.yaml");
   });
 }

@@ -8,8 +8,8 @@
 
 namespace pago::test {
 
-Reference gpf_reference(const GpfConfig& c, const Mount& mount, NormalSign sign) {
-  return [c, mount, sign](const Sweep& sweep) {
+Reference gpf_reference(const GpfConfig& c, const Mount& mount, LowReturns low) {
+  return [c, mount, low](const Sweep& sweep) {
     std::map<int, PointList> slabs;
     for (const Point& point : returns_of(sweep, mount)) {
       const double ahead_m = std::cos(mount.yaw_rad) * point.p.x() - std::sin(mount.yaw_rad) * point.p.y();
@@ -21,11 +21,12 @@ Reference gpf_reference(const GpfConfig& c, const Mount& mount, NormalSign sign)
       PointList starters;
       for (const Point& point : slab)
         if (point.p.z() >= -c.low_cut_heights * mount.height_m) starters.push_back(point);
+      const PointList& tested = low == LowReturns::kTested ? slab : starters;
       const double lowest_m =
           lowest_mean(starters, c.lowest_points, -std::numeric_limits<double>::infinity());
       const Plane plane =
-          grow(starters, slab, lowest_m + c.seed_height_m, c.ground_thickness_m, c.iterations, sign);
-      if (plane.is_valid) mark(mask, below(slab, plane, c.ground_thickness_m));
+          grow(starters, tested, lowest_m + c.seed_height_m, c.ground_thickness_m, c.iterations);
+      if (plane.is_valid) mark(mask, below(tested, plane, c.ground_thickness_m));
     }
     return mask;
   };

@@ -37,7 +37,10 @@ double max_error(const std::list<Spot>& spots, const Line& line) {
   return worst;
 }
 
-std::vector<Line> lines_through(const std::vector<Spot>& spots, double ground_z, const LinefitConfig& c) {
+std::vector<Line> lines_through(const std::vector<Spot>& spots,
+                                double ground_z,
+                                const LinefitConfig& c,
+                                WideGap gap) {
   std::vector<Line> lines;
   if (spots.empty()) return lines;
   std::list<Spot> run{spots[0]};
@@ -54,6 +57,7 @@ std::vector<Line> lines_through(const std::vector<Spot>& spots, double ground_z,
       ++next;
       continue;
     }
+    const bool is_pair_at_gap = is_long && run.size() == 2;
     const std::optional<double> expected =
         is_long && run.size() > 2 ? std::optional(current->slope * spot.d + current->base) : std::nullopt;
     run.push_back(spot);
@@ -61,7 +65,8 @@ std::vector<Line> lines_through(const std::vector<Spot>& spots, double ground_z,
     const bool is_bad = max_error(run, *current) > c.max_fit_error_m ||
                         std::abs(current->slope) > c.max_slope ||
                         (run.size() > 2 && std::abs(current->slope) < c.min_slope) ||
-                        (expected && std::abs(*expected - spot.z) > c.max_long_step_m);
+                        (expected && std::abs(*expected - spot.z) > c.max_long_step_m) ||
+                        (is_pair_at_gap && gap == WideGap::kEndsPairs);
     if (!is_bad) {
       ++next;
       continue;
@@ -87,17 +92,15 @@ std::optional<double> distance(const std::vector<Line>& lines, const Spot& spot,
   return result;
 }
 
-std::optional<double> either(const std::optional<double>& a,
-                             const std::optional<double>& b,
-                             NeighbourLine which) {
-  if (a && b) return which == NeighbourLine::kNearer ? std::min(*a, *b) : std::max(*a, *b);
+std::optional<double> nearer(const std::optional<double>& a, const std::optional<double>& b) {
+  if (a && b) return std::min(*a, *b);
   return a ? a : b;
 }
 
 }  // namespace
 
-Reference linefit_reference(const LinefitConfig& c, const Mount& mount, NeighbourLine which) {
-  return [c, mount, which](const Sweep& sweep) {
+Reference linefit_reference(const LinefitConfig& c, const Mount& mount, WideGap gap) {
+  return [c, mount, gap](const Sweep& sweep) {
     const double bin_step = (c.max_range_m - c.min_range_m) / c.bins;
     const double segment_step = 2.0 * std::numbers::pi / c.segments;
     const auto segment_of = [&](const Point& point) {
@@ -117,7 +120,7 @@ Reference linefit_reference(const LinefitConfig& c, const Mount& mount, Neighbou
     for (const auto& [segment, bins] : lowest) {
       std::vector<Spot> spots;
       for (const auto& [bin, spot] : bins) spots.push_back(spot);
-      lines[static_cast<std::size_t>(segment)] = lines_through(spots, -mount.height_m, c);
+      lines[static_cast<std::size_t>(segment)] = lines_through(spots, -mount.height_m, c, gap);
     }
     Mask mask = empty_mask(sweep);
     for (const Point& point : points) {
@@ -129,7 +132,7 @@ Reference linefit_reference(const LinefitConfig& c, const Mount& mount, Neighbou
       const int segment = segment_of(point);
       std::optional<double> off = off_lines_of(segment);
       for (int k = 1; !off && k * segment_step < c.line_search_angle_rad && k <= c.segments / 2; ++k)
-        off = either(off_lines_of(segment + k), off_lines_of(segment - k), which);
+        off = nearer(off_lines_of(segment + k), off_lines_of(segment - k));
       if (off && *off < c.max_distance_to_line_m) mask[point.index] = kGround;
     }
     return mask;

@@ -3,7 +3,6 @@
 #include "tests/ground/reference/points.hpp"
 
 #include <Eigen/Eigenvalues>
-#include <Eigen/SVD>
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -35,7 +34,7 @@ void mark(Mask& mask, const PointList& ground) {
   for (const Point& g : ground) mask[g.index] = kGround;
 }
 
-Plane fit(const PointList& points, NormalSign sign) {
+Plane fit(const PointList& points) {
   if (points.size() < 3) return {};
   const double n = static_cast<double>(points.size());
   Plane plane;
@@ -49,11 +48,7 @@ Plane fit(const PointList& points, NormalSign sign) {
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(covariance);
   plane.variance = solver.eigenvalues();
   plane.normal = solver.eigenvectors().col(0);
-  // The decomposition that the measured code uses.
-  if (sign == NormalSign::kAsFitted)
-    plane.normal = Eigen::JacobiSVD<Eigen::Matrix3d>(covariance, Eigen::ComputeFullU).matrixU().col(2);
-  else if (plane.normal.z() < 0.0)
-    plane.normal = -plane.normal;
+  if (plane.normal.z() < 0.0) plane.normal = -plane.normal;
   plane.is_valid = plane.variance[2] > 0.0;
   return plane;
 }
@@ -85,12 +80,11 @@ Plane grow(const PointList& starters,
            const PointList& points,
            double seed_top_m,
            double thickness_m,
-           int iterations,
-           NormalSign sign) {
+           int iterations) {
   PointList members = lower_than(starters, seed_top_m);
   Plane plane;
   for (int i = 0; i < iterations; ++i) {
-    plane = fit(members, sign);
+    plane = fit(members);
     if (!plane.is_valid) return plane;
     members = below(points, plane, thickness_m);
   }

@@ -29,10 +29,10 @@ void mark(Mask& mask, const PointList& ground);
 struct Plane {
   bool is_valid = false;
   Eigen::Vector3d normal, mean,
-      variance;  ///< normal up if not wanted otherwise; variances ascending, divided by the number of points
+      variance;  ///< normal up; variances ascending, divided by the number of points
   double above(const Eigen::Vector3d& p) const { return normal.dot(p - mean); }
 };
-Plane fit(const PointList& points, NormalSign sign = NormalSign::kUp);
+Plane fit(const PointList& points);
 
 PointList below(const PointList& points, const Plane& plane, double thickness_m);
 PointList lower_than(const PointList& points, double z_m);
@@ -45,8 +45,7 @@ Plane grow(const PointList& starters,
            const PointList& points,
            double seed_top_m,
            double thickness_m,
-           int iterations,
-           NormalSign sign = NormalSign::kUp);
+           int iterations);
 
 /// Zone, ring counted over all zones, sector.
 struct ZoneBin {

@@ -19,13 +19,16 @@ using Mask = std::vector<std::uint8_t>;
 using Reference = std::function<Mask(const Sweep&)>;
 
 /// What authors' codes do otherwise: to measure how much it accounts for.
-enum class NormalSign { kUp, kAsFitted };        ///< kAsFitted: as the decomposition happens to give it
-enum class NeighbourLine { kNearer, kFarther };  ///< of the lines in the segments to the left and right
+enum class LowReturns { kTested, kLeftOut };  ///< whether what is too low to start a plane is held against it
+enum class WideGap {
+  kBridged,
+  kEndsPairs
+};  ///< kEndsPairs: a line of two returns stops at it, whatever follows
 
 Reference cascaded_reference(const CascadedConfig&, const Mount&);
-Reference gpf_reference(const GpfConfig&, const Mount&, NormalSign = NormalSign::kUp);
+Reference gpf_reference(const GpfConfig&, const Mount&, LowReturns = LowReturns::kTested);
 Reference lego_reference(const LegoConfig&, const Mount&);
-Reference linefit_reference(const LinefitConfig&, const Mount&, NeighbourLine = NeighbourLine::kNearer);
+Reference linefit_reference(const LinefitConfig&, const Mount&, WideGap = WideGap::kBridged);
 Reference patchwork_reference(const PatchworkConfig&, const Mount&);
 Reference patchworkpp_reference(const PatchworkppConfig&, const Mount&);
 Reference ransac_reference(const RansacConfig&, const Mount&);
