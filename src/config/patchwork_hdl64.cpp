@@ -4,9 +4,9 @@
 
 namespace pago {
 
-/// What perf/patchwork_search.cpp ends with (docs/ground.md). The rings are narrower than the paper's: all four
-/// bounds on elevation lie in the innermost zone. No flat plane above them is ground: in bins so small a roof is
-/// alone, and flat.
+/// What perf/patchwork_search.cpp ends with (docs/ground.md). The rings are narrower than the paper's: all
+/// four bounds on elevation lie in the innermost zone. No flat plane above them is ground: in bins so small a
+/// roof is alone, and flat.
 PatchworkConfig patchwork_hdl64_profile() {
   return {.zone_rings = {8, 5, 3, 6},
           .zone_sectors = {24, 90, 90, 64},
