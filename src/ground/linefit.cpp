@@ -10,8 +10,8 @@
 //   label    near a line of the own segment, or else of the nearest with one = ground     (Sec. III-C)
 //
 // Differs from that implementation: each return is labelled, there those left over when threads divide the
-// sweep are not; a line of two returns may go on over a wide gap, there it never does; returns are levelled by
-// the mount first.
+// sweep are not; a line of two returns may go on over a wide gap, there it never does; returns are levelled
+// by the mount first.
 #include <algorithm>
 #include <array>
 #include <cmath>

@@ -21,8 +21,8 @@ TEST_CASE("a source is run and profiled, two runs are compared, on the terminal 
   CHECK_THAT(pago("profile a/latest").out, Contains("ground        run"));
   const Outcome both = pago("profile --compare a/latest b/latest --html both.html");
   REQUIRE(both.exit_code == 0);
-  CHECK_THAT(both.out, Contains("run       a of street.pcap") &&
-                           Contains("run       b of street.pcap") && Contains("slower in"));
+  CHECK_THAT(both.out, Contains("run       a of street.pcap") && Contains("run       b of street.pcap") &&
+                           Contains("slower in"));
   for (const char* const file : {"a.html", "both.html"}) {
     const std::string page = read_text(folder.path() / file);
     CHECK(misplaced_tag(page) == "");
