@@ -74,7 +74,7 @@ std::vector<Setting> settings() {
       setting("seed_height_m", &PatchworkConfig::seed_height_m, {0.1, 0.15, 0.2, 0.3, 0.4, 0.5, 0.6}));
   all.push_back(setting("ground_thickness_m", &PatchworkConfig::ground_thickness_m,
                         {0.06, 0.075, 0.09, 0.1, 0.125, 0.15, 0.2}));
-  all.push_back(setting("iterations", &PatchworkConfig::iterations, {2, 3, 4, 5}));
+  all.push_back(setting("iterations", &PatchworkConfig::iterations, {2, 3}));
   all.push_back(
       setting("min_uprightness", &PatchworkConfig::min_uprightness, {0.707, 0.8, 0.9, 0.94, 0.97, 0.985}));
   return all;

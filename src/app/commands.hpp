@@ -20,6 +20,7 @@ void add_inspect_command(CLI::App& program, Action& action);
 void add_record_command(CLI::App& program, Action& action);
 void add_segment_command(CLI::App& program, Action& action);
 void add_evaluate_command(CLI::App& program, Action& action);
+void add_profile_command(CLI::App& program, Action& action);
 void add_baseline_command(CLI::App& program, Action& action);
 void add_compare_command(CLI::App& program, Action& action);
 void add_config_command(CLI::App& program, Action& action);

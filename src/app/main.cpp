@@ -20,6 +20,7 @@ int parse_and_act(int argc, char** argv) {
   pago::app::add_record_command(program, action);
   pago::app::add_segment_command(program, action);
   pago::app::add_evaluate_command(program, action);
+  pago::app::add_profile_command(program, action);
   pago::app::add_baseline_command(program, action);
   pago::app::add_compare_command(program, action);
   pago::app::add_play_command(program, action);

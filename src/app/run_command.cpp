@@ -19,24 +19,12 @@
 #include "pago/platform/memory.hpp"
 #include "progress_line.hpp"
 #include "recording.hpp"
-#include "settings.hpp"
+#include "run.hpp"
 #include "signals.hpp"
-#include "source.hpp"
 
 namespace pago::app {
 
 namespace {
-
-struct RunOptions {
-  std::string source, output, calibration, ground, record, as_recorded;
-  PartOptions part;
-  bool is_realtime = false;
-  std::optional<double> speed;
-  SettingsOptions settings;
-
-  /// A capture is replayed as if the sensor were live.
-  bool is_paced() const { return is_realtime || speed.has_value(); }
-};
 
 class ReplayObserver final : public Observer {
  public:
@@ -164,7 +152,9 @@ RunSummary replay(Prepared& run, output::RunRecorder& recorder) {
   return run.pipeline->run(*std::get<OpenFolder>(run.source).sweeps, observer, stop_flag());
 }
 
-int run_command(const RunOptions& options) {
+}  // namespace
+
+RunOutcome run_source(const RunOptions& options) {
   stop_on_signals();
   Config config = load(options);
   Prepared run = prepare(options, config);
@@ -209,10 +199,44 @@ int run_command(const RunOptions& options) {
     if (!complaint.empty()) std::cerr << "pago: " << complaint << '\n';
   const bool is_recorded = recorder->complaints().empty() && summary.unrecorded == 0 && is_repeated &&
                            (recorded == nullptr || recorded->complaint().empty());
-  return exit_code(summary, recorder->totals(), is_recorded, run.is_live);
+  return {exit_code(summary, recorder->totals(), is_recorded, run.is_live), results.folder.string()};
 }
 
-}  // namespace
+void add_run_options(CLI::App& command, RunOptions& options) {
+  command
+      .add_option(
+          "--calibration", options.calibration,
+          "the unit's db.xml or ROS yaml, or `sensor`: the one that it sends itself (S2.1, S3); default: "
+          "calibration.xml, .yaml or db.xml beside the capture, else the sensor's")
+      ->type_name("FILE");
+  command
+      .add_option("--ground", options.ground,
+                  "ground segmentation: patchwork (default), patchworkpp, lego, ...; pago config lists them")
+      ->type_name("NAME");
+  command.add_flag("--realtime", options.is_realtime,
+                   "replay a capture at the pace of its recording, as if the sensor were live: poses are "
+                   "published, and what comes too fast is dropped and counted");
+  command
+      .add_option("--speed", options.speed,
+                  "--realtime, but so many times as fast as it was recorded (0.1 to 100)")
+      ->check(CLI::Range(0.1, 100.0).description(""))
+      ->type_name("X");
+  command
+      .add_option("--record", options.record,
+                  "keep the packets of a live run in this capture, which replays to the same trajectory")
+      ->type_name("FILE");
+  command
+      .add_option(
+          "--as-recorded", options.as_recorded,
+          "repeat what a live run dropped because of the clock: its run.json, with its recorded packets "
+          "as source; the poses are then the same to the last bit")
+      ->type_name("RUN.JSON");
+  command
+      .add_option("--output", options.output, "folder that gets a new folder for each run; default: results")
+      ->type_name("DIR");
+  options.part.add_to(command);
+  options.settings.add_to(command);
+}
 
 void add_run_command(CLI::App& program, Action& action) {
   CLI::App& command = *program.add_subcommand("run", "packets or scans in, trajectory out");
@@ -224,40 +248,8 @@ void add_run_command(CLI::App& program, Action& action) {
                   "(a made-up drive; sim:urban,seed=3,seconds=60)")
       ->type_name("SOURCE")
       ->required();
-  command
-      .add_option(
-          "--calibration", options->calibration,
-          "the unit's db.xml or ROS yaml, or `sensor`: the one that it sends itself (S2.1, S3); default: "
-          "calibration.xml, .yaml or db.xml beside the capture, else the sensor's")
-      ->type_name("FILE");
-  command
-      .add_option("--ground", options->ground,
-                  "ground segmentation: patchwork (default), patchworkpp, lego, ...; pago config lists them")
-      ->type_name("NAME");
-  command.add_flag("--realtime", options->is_realtime,
-                   "replay a capture at the pace of its recording, as if the sensor were live: poses are "
-                   "published, and what comes too fast is dropped and counted");
-  command
-      .add_option("--speed", options->speed,
-                  "--realtime, but so many times as fast as it was recorded (0.1 to 100)")
-      ->check(CLI::Range(0.1, 100.0).description(""))
-      ->type_name("X");
-  command
-      .add_option("--record", options->record,
-                  "keep the packets of a live run in this capture, which replays to the same trajectory")
-      ->type_name("FILE");
-  command
-      .add_option(
-          "--as-recorded", options->as_recorded,
-          "repeat what a live run dropped because of the clock: its run.json, with its recorded packets "
-          "as source; the poses are then the same to the last bit")
-      ->type_name("RUN.JSON");
-  command
-      .add_option("--output", options->output, "folder that gets a new folder for each run; default: results")
-      ->type_name("DIR");
-  options->part.add_to(command);
-  options->settings.add_to(command);
-  command.callback([&action, options] { action = [options] { return run_command(*options); }; });
+  add_run_options(command, *options);
+  command.callback([&action, options] { action = [options] { return run_source(*options).exit_code; }; });
 }
 
 }  // namespace pago::app

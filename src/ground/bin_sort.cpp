@@ -15,6 +15,7 @@ BinSort::BinSort(int num_bins, std::uint32_t max_returns)
       count_(num_bins_ + 1),
       next_(num_bins_ + 1),
       extent_(num_bins_ + 1),
+      place_(max_returns),
       x_m_(max_returns),
       y_m_(max_returns),
       z_m_(max_returns) {
@@ -110,22 +111,21 @@ void BinSort::move_waiting(const Coordinates& returns) noexcept {
   num_waiting_ = still_waiting;
 }
 
+/// A bin's next cache line is fetched while this one is filled: waiting for it took half of the time.
 void BinSort::move_streams(const Coordinates& returns) noexcept {
   // Pointers of its own: the compiler cannot know that no store changes a member.
   const float* const from_x = returns.x_m;
   const float* const from_y = returns.y_m;
   const float* const from_z = returns.z_m;
-  float* const x = x_m_.data();
-  float* const y = y_m_.data();
-  float* const z = z_m_.data();
+  Place* const place = place_.data();
   const std::uint16_t* const bin_of = bin_of_.data();
   PerStream* const next = next_.data();
+  constexpr std::ptrdiff_t kPlacesAhead = 64 / sizeof(Place) + 2;
   const std::uint32_t quarter = static_cast<std::uint32_t>(noted_ / kStreams);
   const auto put = [=](std::uint32_t i, std::size_t stream) {
-    const std::uint32_t to = next[bin_of[i]][stream]++;
-    x[to] = from_x[i];
-    y[to] = from_y[i];
-    z[to] = from_z[i];
+    Place* const to = place + next[bin_of[i]][stream]++;
+    __builtin_prefetch(to + kPlacesAhead, 1);
+    *to = Place{from_x[i], from_y[i], from_z[i], 0.0F};
   };
   for (std::uint32_t i = 0; i < quarter; ++i) {
     put(i, 0);
@@ -135,6 +135,20 @@ void BinSort::move_streams(const Coordinates& returns) noexcept {
   }
   for (std::uint32_t i = kStreams * quarter; i < noted_; ++i) put(i, kStreams - 1);
   looked_at_ = noted_;
+  split_places(extent_[num_bins_].begin);
+}
+
+void BinSort::split_places(std::uint32_t size) noexcept {
+  const Place* const place = place_.data();
+  float* const x = x_m_.data();
+  float* const y = y_m_.data();
+  float* const z = z_m_.data();
+#pragma omp simd
+  for (std::uint32_t i = 0; i < size; ++i) {
+    x[i] = place[i][0];
+    y[i] = place[i][1];
+    z[i] = place[i][2];
+  }
 }
 
 Points BinSort::points(int from, int until) const noexcept {

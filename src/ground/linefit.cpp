@@ -10,8 +10,8 @@
 //   label    near a line of the own segment, or else of the nearest with one = ground     (Sec. III-C)
 //
 // Differs from that implementation: each return is labelled, there those left over when threads divide the
-// sweep are not; a line of two returns may go on over a wide gap, there it never does; returns are levelled by
-// the mount first.
+// sweep are not; a line of two returns may go on over a wide gap, there it never does; returns are levelled
+// by the mount first.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -30,7 +30,7 @@ class LineFit final : public Segmenter {
       : config_(config),
         level_(mount, max_returns),
         grid_(std::array{PolarZone{config.min_range_m, config.bins, config.segments}}, config.max_range_m),
-        cell_of_(max_returns),
+        cell_of_(max_returns + kAhead),
         range_m_(max_returns),
         lookup_(config),
         lowest_(lookup_.num_cells() + 1),
@@ -51,12 +51,16 @@ class LineFit final : public Segmenter {
     for (int segment = 0; segment < config_.segments; ++segment) extract(segment);
     lookup_.prepare([this](std::size_t cell) { return lowest_[cell].z_m != kNothing; });
     std::uint8_t* const mask = sweep.ground.data();
-    for (std::uint32_t i = 0; i < sweep.size; ++i)
+    for (std::uint32_t i = 0; i < sweep.size; ++i) {
+      lookup_.fetch(cell_of_[i + kAhead]);
       mask[i] = lookup_.is_near_line(cell_of_[i], {range_m_[i], returns.z_m[i]}) ? kGround : kNonGround;
+    }
   }
 
  private:
   static constexpr float kNothing = std::numeric_limits<float>::infinity();
+  // What a return's cell holds is fetched this many returns before: most cells are not in the nearest cache.
+  static constexpr std::uint32_t kAhead = 16;
 
   /// Of equally low returns the first one counts.
   Coordinates locate(const Sweep& sweep, std::uint32_t until) noexcept {
@@ -68,6 +72,7 @@ class LineFit final : public Segmenter {
     for (std::uint32_t i = located_; i < until; ++i)
       range_m[i] = std::sqrt(returns.x_m[i] * returns.x_m[i] + returns.y_m[i] * returns.y_m[i]);
     for (; located_ < until; ++located_) {
+      __builtin_prefetch(&lowest_[cell_of_[located_ + kAhead]], 1);
       RangeHeight& lowest = lowest_[cell_of_[located_]];
       if (returns.z_m[located_] < lowest.z_m) lowest = {range_m[located_], returns.z_m[located_]};
     }

@@ -87,6 +87,7 @@ RunFacts facts_from(const Json& json) {
   facts.source = value_of<std::string>(json, "source", "");
   facts.complaint = value_of<std::string>(json, "complaint", "");
   facts.config_toml = value_of<std::string>(json, "config", "");
+  facts.is_live = value_of(json, "live", false);
   facts.wall_s = value_of(json, "wall_s", 0.0);
   facts.hash = value_of<std::string>(part("trajectory"), "hash", "");
   facts.length_m = value_of(part("trajectory"), "length_m", 0.0);

@@ -114,6 +114,7 @@ Json json_of(const std::optional<Counters>& counters) {
 std::string run_json(const RunReport& report, const RunTotals& totals, const DecisionLog& decisions) {
   const Json json = {{"version", report.version},
                      {"source", report.source},
+                     {"live", report.is_live},
                      {"complaint", report.complaint},
                      {"wall_s", report.wall_s},
                      {"facts", facts_of(report)},

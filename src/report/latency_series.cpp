@@ -56,13 +56,13 @@ std::vector<LatencySeries> latency_series(const std::vector<LatencyRow>& rows) {
 
 Percentiles percentiles_of(std::vector<double> values) {
   constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
-  if (values.empty()) return {0, kNaN, kNaN, kNaN};
+  if (values.empty()) return {0, kNaN, kNaN, kNaN, kNaN, kNaN};
   std::sort(values.begin(), values.end());
   const auto rank = [&](double percent) {
     const double position = std::ceil(percent / 100.0 * static_cast<double>(values.size()));
     return values[static_cast<std::size_t>(std::max(1.0, position)) - 1];
   };
-  return {values.size(), rank(50), rank(99), values.back()};
+  return {values.size(), rank(50), rank(90), rank(99), rank(99.9), values.back()};
 }
 
 }  // namespace pago::report

@@ -160,7 +160,7 @@ TEST_CASE("what was refused may be replaced: asked to, the ingest looks again", 
   CHECK(rig.ingest.firings().expected == 6 * 950);
 }
 
-TEST_CASE("a silence ends the stream; told of it early or not, the sweeps are the same",
+TEST_CASE("a silence ends the stream, told of it early or not, the sweeps are the same",
           "[assembly][packet_ingest]") {
   constexpr int kMissing = 1100;  // 317 ms
   const bool is_told = GENERATE(false, true);

@@ -106,7 +106,7 @@ TEST_CASE("what it has learnt changes the mask of a later sweep, and a reset und
   CHECK(mask_of(sweep) == at_first);
 }
 
-TEST_CASE("dark returns deep under the near ground are mirror images; bright or far ones are not",
+TEST_CASE("dark returns deep under the near ground are mirror images, bright or far ones are not",
           "[ground][patchworkpp]") {
   Sweep sweep(kMaxReturns);
   Scene().level_ground().scan(sweep);

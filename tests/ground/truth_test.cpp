@@ -39,7 +39,7 @@ bool everywhere(std::size_t) {
 
 }  // namespace
 
-TEST_CASE("the truth is what the labels say; without labels nothing is ground", "[ground][truth]") {
+TEST_CASE("the truth is what the labels say, without labels nothing is ground", "[ground][truth]") {
   Sweep sweep(kMaxReturns);
   const auto truth = scan_road(sweep);
   GroundConfig config;

@@ -111,7 +111,7 @@ TEST_CASE("a socket is never put in a file's place", "[output][control]") {
   CHECK(std::filesystem::file_size(file) == 8);
 }
 
-TEST_CASE("a socket has one server; what a dead one left is replaced; it is its user's alone",
+TEST_CASE("a socket has one server, what a dead one left is replaced, it is its user's alone",
           "[output][control]") {
   const test::ScratchFolder scratch;
   const std::string path = scratch.path / "ctl";

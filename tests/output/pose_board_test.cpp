@@ -126,7 +126,7 @@ TEST_CASE("the documentation's C program prints each refined pose once", "[outpu
                              Catch::Contains("at 1" + std::to_string(i)));
 }
 
-TEST_CASE("a board has one owner; a dead owner's board is taken over, empty", "[output][pose_board]") {
+TEST_CASE("a board has one owner, a dead owner's board is taken over, empty", "[output][pose_board]") {
   const pid_t child = fork();
   if (child == 0) {
     PoseBoard* const left_behind = new PoseBoard(own_name() + "_dead");

@@ -120,7 +120,7 @@ TEST_CASE("far cells are given up over a number of calls, and near ones are all 
   REQUIRE(map.size() == near);  // nobody was lost: inserting them again makes no new cell
 }
 
-TEST_CASE("a full map leaves points out and counts them; nonsense is left out", "[registration][cells]") {
+TEST_CASE("a full map leaves points out and counts them, nonsense is left out", "[registration][cells]") {
   CellMap map({}, 10);
   for (int x = 0; x < 15; ++x) map.insert({x + 0.5, 0.5, 0.5}, 0);
   REQUIRE(map.size() == 10);

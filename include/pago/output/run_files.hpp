@@ -33,6 +33,7 @@ struct RunFacts {
 
   std::string version, source, complaint, hash, config_toml;
   std::vector<std::pair<std::string, std::string>> facts;
+  bool is_live = false;  ///< sweeps came at the sensor's pace, so that wall time means something
   double wall_s = 0.0, length_m = 0.0;
   std::uint64_t poses = 0;
   Counts sweeps;   ///< "posed", "partial", and "dropped: CAUSE" for each cause

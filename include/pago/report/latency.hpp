@@ -24,7 +24,7 @@ std::vector<LatencySeries> latency_series(const std::vector<output::LatencyRow>&
 /// Nearest rank, exact. NaN without values.
 struct Percentiles {
   std::size_t count = 0;
-  double p50 = 0.0, p99 = 0.0, max = 0.0;
+  double p50 = 0.0, p90 = 0.0, p99 = 0.0, p999 = 0.0, max = 0.0;
 };
 Percentiles percentiles_of(std::vector<double> values);
 
