@@ -54,30 +54,32 @@ std::string where_returns_are(const Drives& drives) {
          lines(drives,
                chart_of("Ranges", "What kind of place it is, and how far the sensor sees.", "range, m",
                         "% of returns per 2 m"),
-               kRangeBins,
-               [](const ScanStatistics& s, std::size_t bin) {
-                 return share_percent(s.of_range[bin], s.returns);
-               }) +
-         lines(drives, chart_of("Ground by range", "As the ground method says.", "range, m", "% of returns"),
                kRangeBins, [](const ScanStatistics& s, std::size_t bin) {
-                 return s.of_range[bin] < 100 * s.sweeps
-                            ? std::nan("")
-                            : share_percent(s.ground_of_range[bin], s.of_range[bin]);
+                 return share_percent(s.of_range[bin], s.returns);
                });
 }
 
-std::string how_they_scatter(const Drives& drives) {
-  return lines(
+std::string how_ground_lies(const Drives& drives) {
+  return lines(drives, chart_of("Ground by range", "As the ground method says.", "range, m", "% of returns"),
+               kRangeBins,
+               [](const ScanStatistics& s, std::size_t bin) {
+                 return s.of_range[bin] < 100 * s.sweeps
+                            ? std::nan("")
+                            : share_percent(s.ground_of_range[bin], s.of_range[bin]);
+               }) +
+         lines(
              drives,
              chart_of("Ground from its planes",
                       "Median over patches with a side of a fifth of the range: noise, laser against laser, "
                       "and the ground's own roughness.",
                       "range, m", "rms distance, mm"),
-             kPatchBins,
-             [](const ScanStatistics& s, std::size_t bin) {
+             kPatchBins, [](const ScanStatistics& s, std::size_t bin) {
                return 1e3 * evaluation::median_value(s.patch_rms_m[bin]);
-             }) +
-         lines(drives,
+             });
+}
+
+std::string how_they_scatter(const Drives& drives) {
+  return lines(drives,
                chart_of("Range noise by incidence", "A range against those of the firings before and after.",
                         "incidence, degrees (0 square on)", "standard deviation, mm"),
                kIncidenceBins,
@@ -151,6 +153,7 @@ std::string scan_page(const Drives& drives, const std::string& made_by) {
        "What their sweeps look like: where returns come from, how they scatter, which are missing.",
        page::section("Figures", "", table_of(drives)) +
            page::section("Where returns are", "", page::grid(where_returns_are(drives))) +
+           page::section("Ground", "", page::grid(how_ground_lies(drives))) +
            page::section("How they scatter", "", page::grid(how_they_scatter(drives))) +
            page::section("What comes back", "", page::grid(what_comes_back(drives))),
        made_by});
