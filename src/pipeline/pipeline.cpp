@@ -281,6 +281,7 @@ RunSummary Pipeline::run(SweepSource& source, Observer& observer, const std::ato
         bool goes_on = true;
         while ((goes_on = p.goes_on(stop))) {
           Sweep* sweep = p.exchange.acquire();
+          sweep->clear_stale_columns();
           if (!source.fill(*sweep)) break;
           ++summary.sweeps.opened;
           summary.incomplete_sweeps += sweep->header.has(kIncomplete) ? 1U : 0U;

@@ -2,8 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
+#include <utility>
 
 #include "pago/core/aligned_array.hpp"
 #include "pago/core/estimate.hpp"
@@ -162,6 +164,8 @@ struct Sweep {
   AlignedArray<std::uint16_t> column;
   AlignedArray<std::int32_t> time_offset_ns;  ///< firing time after header.start_ns
   RangeImage range_image;
+  /// So many columns of the range image, and the margins beside them, may still be of an earlier use.
+  int stale_columns = 0;
   AlignedArray<std::uint16_t> label;  ///< SemanticKITTI class, where header.flags has kLabelled
 
   // --- ground
@@ -186,7 +190,14 @@ struct Sweep {
 
   /// Makes the sweep empty for refilling; keeps the memory.
   void reset() noexcept {
-    range_image.clear(static_cast<int>(header.num_columns));
+    recycle();
+    clear_stale_columns();
+  }
+
+  /// The same, but for the range image: who fills it column by column writes most of it anyway, and empties
+  /// the rest of the stale columns before anybody else sees the sweep.
+  void recycle() noexcept {
+    stale_columns = std::max(stale_columns, static_cast<int>(header.num_columns));
     header = {};
     size = 0;
     features.sharp_edges.clear();
@@ -200,6 +211,9 @@ struct Sweep {
     estimate = {};
     times = {};
   }
+
+  /// After recycle(): empties the range image.
+  void clear_stale_columns() noexcept { range_image.clear(std::exchange(stale_columns, 0)); }
 };
 
 }  // namespace pago
