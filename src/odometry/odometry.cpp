@@ -112,6 +112,7 @@ void OdometryStage::follow_start(ScanMotion& motion) noexcept {
 void OdometryStage::advance(Sweep& sweep) noexcept {
   ScanMotion& motion = sweep.motion;
   const double carried_s = std::min(motion.period_s, registration::kLongestPrediction_s);
+  if (has_slipped()) twist_ = refined_.twist;
   const Eigen::Isometry3d T_predicted = exp_se3(twist_ * carried_s);
   const RegistrationResult result =
       registration_.align(sources_, targets_, T_predicted, motion.is_compensated ? 0.0 : motion.period_s);
@@ -129,6 +130,14 @@ void OdometryStage::advance(Sweep& sweep) noexcept {
     sweep.estimate.health = Health::kDegraded;
     sweep.estimate.reason = HealthReason::kIncompleteSweep;
   }
+}
+
+// Where there are grass and hedges only, the last sweep's scan lines are what fits best: no motion. The map,
+// made of many sweeps, knows better.
+bool OdometryStage::has_slipped() const noexcept {
+  if (!refined_.has_motion || refined_.period_s <= 0.0) return false;
+  const Eigen::Isometry3d T_own = exp_se3(twist_ * refined_.period_s);
+  return predicted_in_a_row_ > 0 || !registration::may_follow(T_own, refined_.twist, refined_.period_s, 0);
 }
 
 HealthReason OdometryStage::judge(const RegistrationResult& result,

@@ -109,6 +109,8 @@ struct MappingConfig {
   double stop_translation_m = 0.001;
   double stop_rotation_rad = 0.0001;
   double prior_weight = 0.3;
+  double twist_sigma_m_s = 0.05;
+  double twist_sigma_rad_s = 0.02;
   double min_contribution = 1.0;
 };
 
@@ -129,6 +131,10 @@ void describe(Visitor& v, MappingConfig& c) {
   v("stop_rotation_rad", c.stop_rotation_rad, within(0.0, 0.1), "and turns less");
   v("prior_weight", c.prior_weight, within(0.0, 1.0),
     "how far the scan-to-scan motion is trusted beside the map, as part of its own information");
+  v("twist_sigma_m_s", c.twist_sigma_m_s, within(1e-6, 10.0),
+    "the velocity within a sweep is sought around that which the last motions make expect: deviation of its "
+    "translation");
+  v("twist_sigma_rad_s", c.twist_sigma_rad_s, within(1e-6, 10.0), "and of its rotation");
   v("min_contribution", c.min_contribution, within(0.0, 1000.0),
     "a direction of motion for which fewer matches speak, by squared cosine, counts as not observable");
 }

@@ -38,6 +38,7 @@ class OdometryStage {
   void time_since_last(const SweepHeader& header, ScanMotion& motion) const noexcept;
   void follow_start(ScanMotion& motion) noexcept;
   void advance(Sweep& sweep) noexcept;
+  bool has_slipped() const noexcept;
   HealthReason judge(const RegistrationResult& result, const Eigen::Isometry3d& T_predicted) const noexcept;
   void state(Estimate& estimate,
              const RegistrationResult& result,
