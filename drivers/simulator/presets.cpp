@@ -13,6 +13,7 @@ Town no_town() {
 
 Preset urban() {
   Preset preset;
+  preset.ground.road_roughness_m = 0.007;
   preset.ground.speed_bumps = 0.15;
   preset.road.half_width_m = 5.5;
   return preset;

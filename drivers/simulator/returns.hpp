@@ -29,7 +29,7 @@ struct Return {
 using Returns = std::array<Return, 2>;
 
 struct ReturnModel {
-  double range_noise_m = 0.015;
+  double range_noise_m = 0.0075;
   double outliers = 0.0;
   double wetness = 0.0;
 };

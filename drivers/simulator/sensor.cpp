@@ -8,6 +8,7 @@
 
 #include "materials.hpp"
 #include "pago/core/se3.hpp"
+#include "roof.hpp"
 
 namespace pago::simulator {
 namespace {
@@ -58,10 +59,10 @@ Sensor::Sensor(SensorSetup setup, const Trajectory& T_world_base)
       stands_(kBlock + 1) {
   for (std::size_t laser = 0; laser < lines_.size(); ++laser) {
     lines_[laser] = LaserLine(setup_.unit.lasers[laser], setup_.unit);
-    // As rings of drive_0005 differ: by a quarter in intensity, and by 1 to 8 % in what they lose.
+    // As rings of KITTI's drives differ: by a quarter in intensity, and by up to 1 % in what they lose.
     Random random(setup_.seed, kGain, laser);
     optics_[laser].gain = std::exp(0.25 * random.normal());
-    optics_[laser].always_lost = setup_.has_dropouts ? random.between(0.01, 0.08) : 0.0;
+    optics_[laser].always_lost = setup_.has_dropouts ? random.between(0.0, 0.01) : 0.0;
   }
 }
 
@@ -138,6 +139,7 @@ Echo Sensor::echo_of(const Volley& volley,
 }
 
 Returns Sensor::sense(Volley& volley, std::size_t i, const RayCaster& scene, const Traffic& traffic) const {
+  if (setup_.has_roof && meets_roof(setup_.T_base_sensor.linear() * volley.beams[i].line.step)) return {};
   Random& random = volley.random[i];
   const double t_s = volley.beams[i].t_s;
   std::array<Echo, 2> echoes;

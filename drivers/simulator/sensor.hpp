@@ -37,6 +37,7 @@ struct SensorSetup {
   std::uint64_t seed = 0;
   bool has_wide_beams = true;  ///< false: each is a line, and no edge cuts it
   bool has_dropouts = true;    ///< false: none but those that are too weak
+  bool has_roof = true;        ///< below the sensor; it hides some beams (roof.hpp)
 };
 
 /// Fires the lasers: each from where the sensor is at its own firing time, at its own azimuth.

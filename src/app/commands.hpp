@@ -22,6 +22,7 @@ void add_segment_command(CLI::App& program, Action& action);
 void add_evaluate_command(CLI::App& program, Action& action);
 void add_profile_command(CLI::App& program, Action& action);
 void add_baseline_command(CLI::App& program, Action& action);
+void add_compare_command(CLI::App& program, Action& action);
 void add_config_command(CLI::App& program, Action& action);
 void add_play_command(CLI::App& program, Action& action);
 void add_ctl_command(CLI::App& program, Action& action);

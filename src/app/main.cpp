@@ -22,6 +22,7 @@ int parse_and_act(int argc, char** argv) {
   pago::app::add_evaluate_command(program, action);
   pago::app::add_profile_command(program, action);
   pago::app::add_baseline_command(program, action);
+  pago::app::add_compare_command(program, action);
   pago::app::add_play_command(program, action);
   pago::app::add_ctl_command(program, action);
   pago::app::add_doctor_command(program, action);

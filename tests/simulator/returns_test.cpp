@@ -59,6 +59,21 @@ TEST_CASE("a laser's own losses come on top", "[simulator][returns]") {
   CHECK(detected / 4000.0 == Approx(0.92).margin(0.02));
 }
 
+TEST_CASE("intensities are levelled up to 25 m, and fade out beyond", "[simulator][returns]") {
+  const auto intensity = [](double range_m, double cos_incidence, const Surface& surface) {
+    double sum = 0.0;
+    for (int i = 0; i < 500; ++i) {
+      Random random(9, i);
+      sum += returns_of(kExact, {Echo{range_m, cos_incidence, surface, 1.0}, {}}, 1, {}, random)[0].intensity;
+    }
+    return sum / 500.0;
+  };
+  for (const double range_m : {5.0, 10.0, 20.0})
+    CHECK(intensity(range_m, 1.9 / range_m, kRoad) == Approx(66.0).margin(6.0));
+  CHECK(intensity(10.0, 0.9, kWall) == Approx(105.0).margin(8.0));
+  CHECK(intensity(50.0, 0.9, kWall) < 35.0);
+}
+
 TEST_CASE("echoes closer than a pulse merge to one between them", "[simulator][returns]") {
   const Returns merged = two({10.0, 1.0, kWall, 0.6}, {10.5, 1.0, kRoad, 0.4});
   REQUIRE(merged[0].is_there);

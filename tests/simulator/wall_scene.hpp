@@ -39,7 +39,7 @@ struct WallScene {
     setup.unit = simulator::made_up_unit();
     setup.returns.range_noise_m = settings.noise_m;
     setup.T_base_sensor.translation().z() = 1.73;
-    setup.has_wide_beams = setup.has_dropouts = false;
+    setup.has_wide_beams = setup.has_dropouts = setup.has_roof = false;
     return setup;
   }
   static simulator::Mesh mesh() {

@@ -74,7 +74,7 @@ struct SimulatorConfig {
 
   SimulatedUnit unit = SimulatedUnit::kS2;
   double rotation_hz = 10.0;
-  double range_noise_m = 0.015;
+  double range_noise_m = 0.0075;
   double range_bias_m = 0.008;
   double angle_error_deg = 0.02;
   double outliers = 0.0;
@@ -108,7 +108,7 @@ void describe(Visitor& v, SimulatorConfig& c) {
     "what kind of HDL-64E it is, and what it sends");
   v("rotation_hz", c.rotation_hz, within(5.0, 20.0), "of the sensor's head");
   v("range_noise_m", c.range_noise_m, within(0.0, 0.2),
-    "standard deviation of a distance, square on; grows at grazing incidence (S2 data sheet: 0.015)");
+    "standard deviation of a distance, square on; grows at grazing incidence (KITTI's unit: 0.0075)");
   v("range_bias_m", c.range_bias_m, within(0.0, 0.1),
     "standard deviation between lasers of a distance offset that the calibration file does not know");
   v("angle_error_deg", c.angle_error_deg, within(0.0, 0.5),
