@@ -44,7 +44,9 @@ OdometryStage::OdometryStage(const OdometryConfig& config,
       registration_(config, kMaxSources),
       sources_(kMaxSources),
       raw_targets_(max_returns),
-      targets_(config, max_returns) {}
+      targets_(config, max_returns) {
+  if (config.registration == Registration::kLoam) loam_ = std::make_unique<LoamRegistration>(config);
+}
 
 void OdometryStage::reset() noexcept {
   has_last_ = has_motion_ = false;
@@ -76,8 +78,13 @@ void OdometryStage::update(Sweep& sweep) noexcept {
     twist_ = refined_.twist;
     has_motion_ = refined_.has_motion;
   }
-  load(raw_targets_, sweep, sweep.features.edges, sweep.features.planars);
-  targets_.build(raw_targets_, sweep.motion.is_compensated || !config_.deskew ? Vector6d::Zero() : twist_);
+  const Vector6d twist = sweep.motion.is_compensated || !config_.deskew ? Vector6d::Zero() : twist_;
+  if (loam_) {
+    loam_->set_targets(sweep, twist);
+  } else {
+    load(raw_targets_, sweep, sweep.features.edges, sweep.features.planars);
+    targets_.build(raw_targets_, twist);
+  }
   last_ = sweep.motion;
   has_last_ = true;
 }
@@ -113,8 +120,7 @@ void OdometryStage::advance(Sweep& sweep) noexcept {
   ScanMotion& motion = sweep.motion;
   const double carried_s = std::min(motion.period_s, registration::kLongestPrediction_s);
   const Eigen::Isometry3d T_predicted = exp_se3(twist_ * carried_s);
-  const RegistrationResult result =
-      registration_.align(sources_, targets_, T_predicted, motion.is_compensated ? 0.0 : motion.period_s);
+  const RegistrationResult result = align(motion, T_predicted);
   const HealthReason reason = judge(result, T_predicted);
 
   motion.is_registered = is_measured(reason);
@@ -129,6 +135,12 @@ void OdometryStage::advance(Sweep& sweep) noexcept {
     sweep.estimate.health = Health::kDegraded;
     sweep.estimate.reason = HealthReason::kIncompleteSweep;
   }
+}
+
+RegistrationResult OdometryStage::align(const ScanMotion& motion, const Eigen::Isometry3d& T_predicted) noexcept {
+  const double period_s = motion.is_compensated ? 0.0 : motion.period_s;
+  if (loam_) return loam_->align(sources_, T_predicted, period_s);
+  return registration_.align(sources_, targets_, T_predicted, period_s);
 }
 
 HealthReason OdometryStage::judge(const RegistrationResult& result,
