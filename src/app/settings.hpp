@@ -20,8 +20,8 @@ struct SettingsOptions {
   std::vector<std::string> assignments;
 
   void add_to(CLI::App& command);
-  /// The defaults, changed by the preset, the file and the assignments, in this order. Throws Error; not validated
-  /// yet.
+  /// The defaults, changed by the preset, the file and the assignments, in this order. Throws Error; not
+  /// validated yet.
   Config load() const;
 };
 

@@ -9,7 +9,8 @@ namespace pago {
 namespace {
 
 // Values that are also PaGO's own defaults are named as well: a preset must not follow them.
-constexpr std::string_view kPaperCode = R"(# PaGO-LOAM's code (github.com/url-kaist/AlterGround-LeGO-LOAM at afcba08), for the HDL-64E.
+constexpr std::string_view kPaperCode =
+    R"(# PaGO-LOAM's code (github.com/url-kaist/AlterGround-LeGO-LOAM at afcba08), for the HDL-64E.
 [ground]
 method = "patchwork"
 [ground.patchwork]

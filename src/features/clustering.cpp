@@ -96,7 +96,10 @@ void Clusterer::join_diagonals(const Sweep& sweep, const FeatureImage& image) no
   }
 }
 
-void Clusterer::join_if_smooth(const Sweep& sweep, std::uint32_t a, std::uint32_t b, float step_rad) noexcept {
+void Clusterer::join_if_smooth(const Sweep& sweep,
+                               std::uint32_t a,
+                               std::uint32_t b,
+                               float step_rad) noexcept {
   if (!is_smooth(point(sweep, a), point(sweep, b), step_rad)) return;
   const std::uint32_t ra = root(a), rb = root(b);
   if (ra < rb) {

@@ -52,7 +52,8 @@ void FeaturesStage::load_ring(Sweep& sweep, const FeatureImage& image, int ring)
     const auto i = static_cast<std::uint32_t>(row[column]);
     if (sweep.cluster[i] == kClutter) {
       const int every = config_.outlier_every_columns;
-      if (every > 0 && column % every == 0 && ring > config_.outliers_above_row) sweep.features.outliers.push_back(i);
+      if (every > 0 && column % every == 0 && ring > config_.outliers_above_row)
+        sweep.features.outliers.push_back(i);
       continue;
     }
     if (image.ground[i] == kGround && is_left_out(column, image.columns)) continue;
@@ -130,7 +131,8 @@ void FeaturesStage::select_targets(FeatureLists& lists, std::size_t begin, std::
   candidates_.clear();
   const auto threshold = static_cast<float>(config_.planar_threshold);
   for (std::size_t i = begin; i < end; ++i)
-    if (is_edge_[i] == 0 && ring_.smoothness[i] < threshold) candidates_.push_back(static_cast<std::uint32_t>(i));
+    if (is_edge_[i] == 0 && ring_.smoothness[i] < threshold)
+      candidates_.push_back(static_cast<std::uint32_t>(i));
   std::sort(candidates_.begin(), candidates_.end(), [&](std::uint32_t a, std::uint32_t b) {
     return ring_.smoothness[a] != ring_.smoothness[b] ? ring_.smoothness[a] < ring_.smoothness[b] : a < b;
   });
@@ -141,7 +143,8 @@ void FeaturesStage::select_targets(FeatureLists& lists, std::size_t begin, std::
 // All that is no edge, thinned: what later sweeps find planes in.
 void FeaturesStage::keep_targets(Sweep& sweep, int columns) noexcept {
   const bool keeps_all = config_.planar_spacing_m <= 0.0;
-  const SpacingSampler sampler(keeps_all ? 1.0 : config_.planar_spacing_m, static_cast<std::uint32_t>(columns),
+  const SpacingSampler sampler(keeps_all ? 1.0 : config_.planar_spacing_m,
+                               static_cast<std::uint32_t>(columns),
                                static_cast<std::uint32_t>(sweep.header.sequence));
   for (std::size_t n = 0; n < ring_.size; ++n) {
     if (is_edge_[n] == 0 && (keeps_all || sampler.keeps(ring_.index[n], ring_.range_m[n] * ring_.range_m[n])))

@@ -12,7 +12,8 @@ UniformGrid::UniformGrid(const UniformGridConfig& config, double min_range_m, st
 
 FeatureImage UniformGrid::project(const Sweep& sweep) noexcept {
   const auto degrees = [](float radians) { return radians / static_cast<float>(kDegree); };
-  const auto row_step = static_cast<float>(config_.row_step_deg), bottom = static_cast<float>(config_.bottom_deg);
+  const auto row_step = static_cast<float>(config_.row_step_deg),
+             bottom = static_cast<float>(config_.bottom_deg);
   const float column_step = 360.0F / static_cast<float>(config_.columns);
   std::copy_n(sweep.ground.begin(), sweep.size, ground_.begin());
   cells_.clear(config_.columns);
@@ -25,11 +26,12 @@ FeatureImage UniformGrid::project(const Sweep& sweep) noexcept {
     const long right = std::lround(degrees(std::atan2(-y, x)) / column_step);
     const int column = (static_cast<int>(right) + config_.columns / 2 + config_.columns) % config_.columns;
     std::int32_t& cell = cells_.at(static_cast<int>(row), column);
-    if (cell != RangeImage::kEmpty && ground_[static_cast<std::uint32_t>(cell)] == kGround) ground_[i] = kGround;
+    if (cell != RangeImage::kEmpty && ground_[static_cast<std::uint32_t>(cell)] == kGround)
+      ground_[i] = kGround;
     cell = static_cast<std::int32_t>(i);
   }
-  return {cells_, config_.columns, ground_.first(sweep.size), static_cast<float>(config_.row_step_deg * kDegree),
-          static_cast<float>(kDegree) * column_step};
+  return {cells_, config_.columns, ground_.first(sweep.size),
+          static_cast<float>(config_.row_step_deg * kDegree), static_cast<float>(kDegree) * column_step};
 }
 
 }  // namespace pago::features

@@ -35,7 +35,8 @@ bool make_row(const Eigen::Isometry3d& T_map_sensor,
   constexpr double kSlope = 0.9, kLeast = 0.1;
   const double s = 1.0 - kSlope * std::abs(distance_m) / range_factor;
   if (!(s > kLeast)) return false;
-  row = registration::plane_row(source.cast<float>(), (T_map_sensor.linear().transpose() * normal).cast<float>(),
+  row = registration::plane_row(source.cast<float>(),
+                                (T_map_sensor.linear().transpose() * normal).cast<float>(),
                                 static_cast<float>(distance_m), 1.0F);
   row.kernel_weight = static_cast<float>(s * s);  // LOAM multiplies row and residual by s
   return true;
@@ -88,7 +89,8 @@ FivePointResult FivePointRegistration::align(FeatureClouds map,
     if (!step.allFinite()) break;
     result.T_map_sensor = perturb(result.T_map_sensor, step);
     result.is_registered = true;
-    if (step.head<3>().norm() < config_.stop_translation_m && step.tail<3>().norm() < config_.stop_rotation_rad)
+    if (step.head<3>().norm() < config_.stop_translation_m &&
+        step.tail<3>().norm() < config_.stop_rotation_rad)
       break;
   }
   result.T_map_sensor = orthonormalized(result.T_map_sensor);

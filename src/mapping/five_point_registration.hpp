@@ -20,9 +20,9 @@ struct FivePointResult {
   bool is_registered = false;  ///< there was enough to match with
 };
 
-/// The row of a point for the line or plane through its five neighbours in the map, weighted as in LOAM's mapping: by
-/// 1 - 0.9 |distance|, for planes over the square root of how far the point is from the origin of the *map* (LOAM's
-/// code, kept). False where that leaves a tenth or less.
+/// The row of a point for the line or plane through its five neighbours in the map, weighted as in LOAM's
+/// mapping: by 1 - 0.9 |distance|, for planes over the square root of how far the point is from the origin of
+/// the *map* (LOAM's code, kept). False where that leaves a tenth or less.
 bool make_row(const Eigen::Isometry3d& T_map_sensor,
               const Eigen::Vector3d& source,
               const Eigen::Vector3d& normal,
@@ -30,8 +30,9 @@ bool make_row(const Eigen::Isometry3d& T_map_sensor,
               double range_factor,
               registration::Row& row) noexcept;
 
-/// Scan to map as in LeGO-LOAM's and PaGO-LOAM's code (scan2MapOptimization): up to ten rounds of matching with five
-/// neighbours and one undamped Gauss-Newton step in all six degrees of freedom. Allocates; deterministic. [one thread]
+/// Scan to map as in LeGO-LOAM's and PaGO-LOAM's code (scan2MapOptimization): up to ten rounds of matching
+/// with five neighbours and one undamped Gauss-Newton step in all six degrees of freedom. Allocates;
+/// deterministic. [one thread]
 class FivePointRegistration {
  public:
   explicit FivePointRegistration(const KeyframeMapConfig& config) : config_(config) {}

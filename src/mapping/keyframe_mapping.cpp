@@ -22,8 +22,10 @@ class FeatureReader {
   FeatureReader(const Sweep& sweep, const Vector6d& twist) : sweep_(sweep), to_reference_(twist) {}
 
   Eigen::Vector3f operator()(std::uint32_t i) const noexcept {
-    const std::int64_t before_ns = sweep_.motion.reference_ns - sweep_.header.start_ns - sweep_.time_offset_ns[i];
-    return to_reference_({sweep_.x_m[i], sweep_.y_m[i], sweep_.z_m[i]}, static_cast<float>(seconds(before_ns)));
+    const std::int64_t before_ns =
+        sweep_.motion.reference_ns - sweep_.header.start_ns - sweep_.time_offset_ns[i];
+    return to_reference_({sweep_.x_m[i], sweep_.y_m[i], sweep_.z_m[i]},
+                         static_cast<float>(seconds(before_ns)));
   }
   std::vector<Eigen::Vector3f> all(std::span<const std::uint32_t> list) const {
     std::vector<Eigen::Vector3f> points;
@@ -85,7 +87,8 @@ bool KeyframeMapping::is_due(const ScanMotion& motion) noexcept {
   const bool has_turn = sweeps_++ % static_cast<std::uint64_t>(config_.keyframe_map.every_sweeps) == 0;
   if (!has_turn) return false;
   const double since_s = seconds(motion.reference_ns - last_registered_ns_);
-  if (parts_->store.size() > 0 && !motion.is_time_lost && since_s < config_.keyframe_map.min_interval_s) return false;
+  if (parts_->store.size() > 0 && !motion.is_time_lost && since_s < config_.keyframe_map.min_interval_s)
+    return false;
   last_registered_ns_ = motion.reference_ns;
   return true;
 }
@@ -138,7 +141,8 @@ void KeyframeMapping::report(const ScanMotion& motion, Estimate& estimate) noexc
   estimate.is_keyframe = saved_.take(T_map_reference_);
   const double reported_s = seconds(motion.reported_ns - motion.reference_ns);
   estimate.twist = refined_.twist_at(reported_s);
-  estimate.T_odom_sensor_refined = T_map_reference_ * exp_se3(reported_s * refined_.twist_at(0.5 * reported_s));
+  estimate.T_odom_sensor_refined =
+      T_map_reference_ * exp_se3(reported_s * refined_.twist_at(0.5 * reported_s));
 }
 
 }  // namespace pago::mapping

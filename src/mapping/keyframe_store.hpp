@@ -14,8 +14,8 @@ struct FeatureClouds {
   std::vector<Eigen::Vector3f> edges, planars;
 };
 
-/// Keyframes with their features, and the map made of those around: LeGO-LOAM's extractSurroundingKeyFrames. Grows with
-/// the drive, about 50 kB per keyframe. [one thread]
+/// Keyframes with their features, and the map made of those around: LeGO-LOAM's extractSurroundingKeyFrames.
+/// Grows with the drive, about 50 kB per keyframe. [one thread]
 class KeyframeStore {
  public:
   explicit KeyframeStore(const KeyframeMapConfig& config) : config_(config) {}
@@ -23,14 +23,15 @@ class KeyframeStore {
   void clear() { frames_.clear(); }
   std::size_t size() const noexcept { return frames_.size(); }
 
-  /// `clouds` in the sensor frame; edges and planars are moved to the map, and thinned as they are (planars and
-  /// outliers apart from each other).
+  /// `clouds` in the sensor frame; edges and planars are moved to the map, and thinned as they are (planars
+  /// and outliers apart from each other).
   void add(const Eigen::Isometry3d& T_map_sensor, const FeatureClouds& clouds);
 
   const Eigen::Vector3d& last_position() const noexcept { return frames_.back().position; }
 
-  /// The keyframes within the radius of a place, one per voxel of config.thinning_m: that of the mean index of those in
-  /// the voxel, as in LeGO-LOAM, which where a place is visited twice may be one of neither visit.
+  /// The keyframes within the radius of a place, one per voxel of config.thinning_m: that of the mean index
+  /// of those in the voxel, as in LeGO-LOAM, which where a place is visited twice may be one of neither
+  /// visit.
   std::vector<std::size_t> around(const Eigen::Vector3d& place) const;
 
   /// The features of these keyframes, thinned.

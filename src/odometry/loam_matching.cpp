@@ -42,7 +42,8 @@ void LoamTargets::consider(std::uint32_t from,
   }
 }
 
-std::uint32_t LoamTargets::nearest_on_other_rows(std::uint32_t row, const Eigen::Vector3f& query) const noexcept {
+std::uint32_t LoamTargets::nearest_on_other_rows(std::uint32_t row,
+                                                 const Eigen::Vector3f& query) const noexcept {
   const std::uint32_t first = row > kRowReach ? row - kRowReach : 0;
   const std::uint32_t last = std::min<std::uint32_t>(row + kRowReach, kNumRings - 1);
   float least = radius_sq_m2_;

@@ -25,7 +25,8 @@ constexpr std::size_t kMostSources = kNumRings * 6 * 20;
 
 float seconds_before(const Sweep& sweep, std::uint32_t i) noexcept {
   if (sweep.motion.is_compensated) return 0.0F;
-  return static_cast<float>(sweep.motion.reference_ns - sweep.header.start_ns - sweep.time_offset_ns[i]) * 1e-9F;
+  return static_cast<float>(sweep.motion.reference_ns - sweep.header.start_ns - sweep.time_offset_ns[i]) *
+         1e-9F;
 }
 
 /// Of each row's features those that `takes`, thinned to means of voxels.
@@ -79,8 +80,7 @@ void LoamRegistration::set_targets(const Sweep& sweep, const Vector6d& twist) no
   const auto planars = [&](auto takes) {
     return rows_of(sweep, lists.planars, lists.planar_rows, twist, config_.loam.target_voxel_m, takes);
   };
-  edges_.build(
-      rows_of(sweep, lists.edges, lists.edge_rows, twist, 0.0, [](std::uint32_t) { return true; }));
+  edges_.build(rows_of(sweep, lists.edges, lists.edge_rows, twist, 0.0, [](std::uint32_t) { return true; }));
   if (config_.loam.same_surface) {
     ground_.build(planars(is_ground));
     others_.build(planars([&](std::uint32_t i) { return !is_ground(i); }));
@@ -159,7 +159,9 @@ void LoamRegistration::match_lines(const PointCloud& cloud) noexcept {
 
 /// Returns how many iterations there were.
 template <typename Associate, typename AddRows>
-int LoamRegistration::run_step(const std::array<int, 3>& dofs, Associate associate, AddRows add_rows) noexcept {
+int LoamRegistration::run_step(const std::array<int, 3>& dofs,
+                               Associate associate,
+                               AddRows add_rows) noexcept {
   const int most = config_.max_rounds * config_.steps_per_round;
   std::optional<Eigen::Matrix3d> strong;
   for (int iteration = 0; iteration < most; ++iteration) {
@@ -173,7 +175,8 @@ int LoamRegistration::run_step(const std::array<int, 3>& dofs, Associate associa
     Eigen::Vector3d b;
     for (int i = 0; i < 3; ++i) {
       b[i] = sum.b[dofs[static_cast<std::size_t>(i)]];
-      for (int j = 0; j < 3; ++j) H(i, j) = sum.H(dofs[static_cast<std::size_t>(i)], dofs[static_cast<std::size_t>(j)]);
+      for (int j = 0; j < 3; ++j)
+        H(i, j) = sum.H(dofs[static_cast<std::size_t>(i)], dofs[static_cast<std::size_t>(j)]);
     }
     if (!strong) strong = strong_directions(H, config_.loam.min_eigenvalue);
     const Eigen::Vector3d step = *strong * (H.ldlt().solve(-b) * config_.update_gain);
@@ -181,7 +184,8 @@ int LoamRegistration::run_step(const std::array<int, 3>& dofs, Associate associa
     Vector6d delta = Vector6d::Zero();
     for (int i = 0; i < 3; ++i) delta[dofs[static_cast<std::size_t>(i)]] = step[i];
     T_ = perturb(T_, delta);
-    if (delta.head<3>().norm() < config_.stop_translation_m && delta.tail<3>().norm() < config_.stop_rotation_rad)
+    if (delta.head<3>().norm() < config_.stop_translation_m &&
+        delta.tail<3>().norm() < config_.stop_rotation_rad)
       return iteration + 1;
   }
   return most;

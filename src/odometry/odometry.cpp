@@ -137,7 +137,8 @@ void OdometryStage::advance(Sweep& sweep) noexcept {
   }
 }
 
-RegistrationResult OdometryStage::align(const ScanMotion& motion, const Eigen::Isometry3d& T_predicted) noexcept {
+RegistrationResult OdometryStage::align(const ScanMotion& motion,
+                                        const Eigen::Isometry3d& T_predicted) noexcept {
   const double period_s = motion.is_compensated ? 0.0 : motion.period_s;
   if (loam_) return loam_->align(sources_, T_predicted, period_s);
   return registration_.align(sources_, targets_, T_predicted, period_s);

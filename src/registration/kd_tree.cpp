@@ -13,7 +13,9 @@ namespace {
 struct Points {
   std::vector<Eigen::Vector3f> list;
   std::size_t kdtree_get_point_count() const { return list.size(); }
-  float kdtree_get_pt(std::size_t i, std::size_t axis) const { return list[i][static_cast<Eigen::Index>(axis)]; }
+  float kdtree_get_pt(std::size_t i, std::size_t axis) const {
+    return list[i][static_cast<Eigen::Index>(axis)];
+  }
   template <typename Box>
   bool kdtree_get_bbox(Box&) const {
     return false;
@@ -23,8 +25,8 @@ struct Points {
 }  // namespace
 
 struct KdTree::Tree {
-  using Index =
-      nanoflann::KDTreeSingleIndexAdaptor<nanoflann::L2_Simple_Adaptor<float, Points>, Points, 3, std::uint32_t>;
+  using Index = nanoflann::
+      KDTreeSingleIndexAdaptor<nanoflann::L2_Simple_Adaptor<float, Points>, Points, 3, std::uint32_t>;
 
   explicit Tree(std::vector<Eigen::Vector3f> list) : points{std::move(list)}, index(3, points) {}
 

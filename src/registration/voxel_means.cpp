@@ -30,7 +30,8 @@ void voxel_means(std::span<const Eigen::Vector3f> points, double voxel_m, std::v
   order.reserve(points.size());
   for (std::uint32_t i = 0; i < points.size(); ++i) {
     const Eigen::Vector3f in_voxels = points[i] * per_voxel;
-    if (in_voxels.cwiseAbs().maxCoeff<Eigen::PropagateNaN>() < kHalf) order.emplace_back(key_of(in_voxels), i);
+    if (in_voxels.cwiseAbs().maxCoeff<Eigen::PropagateNaN>() < kHalf)
+      order.emplace_back(key_of(in_voxels), i);
   }
   std::ranges::sort(order);
   for (std::size_t begin = 0, end = 0; begin < order.size(); begin = end) {

@@ -16,7 +16,8 @@ Config with(Preset preset) {
   return config;
 }
 
-TEST_CASE("each preset is a valid configuration of its own, and the default changes nothing", "[config][preset]") {
+TEST_CASE("each preset is a valid configuration of its own, and the default changes nothing",
+          "[config][preset]") {
   CHECK(dump_toml(with(Preset::kDefault)) == dump_toml({}));
   CHECK(dump_toml(with(Preset::kPaperCode)) != dump_toml(with(Preset::kPaperText)));
   for (const auto& [name, preset] : preset_choices().words) {
@@ -31,7 +32,7 @@ TEST_CASE("paper-code has the numbers of the paper's code, paper-text differs wh
   const Config code = with(Preset::kPaperCode), text = with(Preset::kPaperText);
   CHECK(code.odometry.update_gain == 0.05);
   CHECK(text.odometry.update_gain == 1.0);
-  CHECK(code.features.planar_source == PlanarSource::kGround);
+  CHECK(code.features.planar_source == PlanarSource::kGroundOnly);
   CHECK(text.features.planar_source == PlanarSource::kBoth);
   CHECK(code.features.clustering.neighbours == Neighbours::kDiagonal);
   CHECK(text.features.clustering.neighbours == Neighbours::kFour);
@@ -43,7 +44,8 @@ TEST_CASE("paper-code has the numbers of the paper's code, paper-text differs wh
   }
 }
 
-TEST_CASE("in a file the preset comes first wherever it stands, and other settings change it", "[config][preset]") {
+TEST_CASE("in a file the preset comes first wherever it stands, and other settings change it",
+          "[config][preset]") {
   Config config;
   apply_toml(config, "odometry.update_gain = 0.5\npreset = \"paper-code\"", "f.toml");
   CHECK(config.preset == Preset::kPaperCode);
@@ -70,7 +72,8 @@ TEST_CASE("an unknown preset is refused with those that there are", "[config][pr
   CHECK(test::complaint_of([] {
           Config config;
           set(config, "preset=paper");
-        }) == "preset=paper: preset must be one of \"default\", \"paper-code\", \"paper-text\", is \"paper\"");
+        }) ==
+        "preset=paper: preset must be one of \"default\", \"paper-code\", \"paper-text\", is \"paper\"");
 }
 
 TEST_CASE("what a preset shows of itself is what it sets", "[config][preset]") {

@@ -133,7 +133,8 @@ TEST_CASE("across corners a row of returns is no segment, and a surface is two",
   const auto add = [&](int ring, int column) {
     const std::uint32_t i = sweep.size++;
     const float azimuth = 0.0174533F * static_cast<float>(column), up = 0.0174533F * static_cast<float>(ring);
-    sweep.x_m[i] = 5.0F * std::cos(up) * std::cos(azimuth), sweep.y_m[i] = 5.0F * std::cos(up) * std::sin(azimuth);
+    sweep.x_m[i] = 5.0F * std::cos(up) * std::cos(azimuth),
+    sweep.y_m[i] = 5.0F * std::cos(up) * std::sin(azimuth);
     sweep.z_m[i] = 5.0F * std::sin(up);
     sweep.range_image.at(ring, column) = static_cast<std::int32_t>(i);
   };
@@ -151,7 +152,8 @@ TEST_CASE("across corners a row of returns is no segment, and a surface is two",
   REQUIRE(sweep.cluster[41] == sweep.cluster[40]);
 }
 
-TEST_CASE("in a grid the angle between beams is the grid's step, not the returns' own", "[features][clustering]") {
+TEST_CASE("in a grid the angle between beams is the grid's step, not the returns' own",
+          "[features][clustering]") {
   Sweep sweep(10);
   sweep.header.num_columns = 360;
   sweep.size = 2;

@@ -89,16 +89,18 @@ TEST_CASE("targets are as many as their spacing along a ring asks for", "[featur
   REQUIRE(static_cast<double>(sweep.features.planars.size()) == Approx(expected).epsilon(0.15));
 }
 
-TEST_CASE("planar points to register come from the ground alone where that is asked for", "[features][stage]") {
+TEST_CASE("planar points to register come from the ground alone where that is asked for",
+          "[features][stage]") {
   Sweep sweep = street_sweep(0.01);
   FeaturesConfig config;
-  config.planar_source = PlanarSource::kGround;
+  config.planar_source = PlanarSource::kGroundOnly;
   FeaturesStage(config, test::kStreetReturns).finish(sweep);
   REQUIRE(sweep.features.flat_planars.size() > 100);
   for (const std::uint32_t i : sweep.features.flat_planars) REQUIRE(sweep.ground[i] == kGround);
 }
 
-TEST_CASE("without spacing all that is no edge is a target, with a quota the flattest are", "[features][stage]") {
+TEST_CASE("without spacing all that is no edge is a target, with a quota the flattest are",
+          "[features][stage]") {
   FeaturesConfig config;
   config.planar_spacing_m = 0.0;
   Sweep all = street_sweep(0.01), few = street_sweep(0.01);
@@ -147,7 +149,8 @@ TEST_CASE("ground can be taken from every fifth column only", "[features][stage]
   REQUIRE(others > 1000);
 }
 
-TEST_CASE("of segments too small to trust every fifth column of the upper rows is kept apart", "[features][stage]") {
+TEST_CASE("of segments too small to trust every fifth column of the upper rows is kept apart",
+          "[features][stage]") {
   FeaturesConfig config;
   config.clustering.min_points = config.clustering.min_points_tall = 100'000;  // nothing is trusted
   Sweep none = street_sweep(0.01);

@@ -61,7 +61,8 @@ TEST_CASE("neighbours are those that going through all features finds", "[odomet
     int beside = -1, other = -1;
     if (a >= 0) {
       const int row = row_of(cloud, static_cast<std::uint32_t>(a));
-      beside = nearest(cloud, query, [&](std::uint32_t i) { return row_of(cloud, i) == row && static_cast<int>(i) != a; });
+      beside = nearest(cloud, query,
+                       [&](std::uint32_t i) { return row_of(cloud, i) == row && static_cast<int>(i) != a; });
       other = nearest(cloud, query, [&](std::uint32_t i) {
         const int apart = std::abs(row_of(cloud, i) - row);
         return apart == 1 || apart == 2;
@@ -102,12 +103,13 @@ TEST_CASE("the offset's direction is the slope of its distance", "[odometry][loa
     for (int axis = 0; axis < 3; ++axis) {
       constexpr double kStep = 1e-6;
       const Eigen::Vector3d step = kStep * Eigen::Vector3d::Unit(axis);
-      const double slope = (offset_from_line(p + step, a, b)->distance_m - offset_from_line(p - step, a, b)->distance_m) /
-                           (2.0 * kStep);
-      REQUIRE(line->normal[axis] == Approx(slope).margin(1e-5));
-      const double tilt =
-          (offset_from_plane(p + step, a, b, c)->distance_m - offset_from_plane(p - step, a, b, c)->distance_m) /
+      const double slope =
+          (offset_from_line(p + step, a, b)->distance_m - offset_from_line(p - step, a, b)->distance_m) /
           (2.0 * kStep);
+      REQUIRE(line->normal[axis] == Approx(slope).margin(1e-5));
+      const double tilt = (offset_from_plane(p + step, a, b, c)->distance_m -
+                           offset_from_plane(p - step, a, b, c)->distance_m) /
+                          (2.0 * kStep);
       REQUIRE(plane->normal[axis] == Approx(tilt).margin(1e-5));
     }
   }

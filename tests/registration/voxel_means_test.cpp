@@ -33,7 +33,8 @@ TEST_CASE("each voxel's points become their mean", "[registration][voxel_means]"
     REQUIRE((means[n++].cast<double>() - found.first / found.second).norm() < 1e-6);
 }
 
-TEST_CASE("without a voxel the points stay, and what is not finite is left out", "[registration][voxel_means]") {
+TEST_CASE("without a voxel the points stay, and what is not finite is left out",
+          "[registration][voxel_means]") {
   const float nan = std::numeric_limits<float>::quiet_NaN(), far = 1e30F;
   const std::vector<Eigen::Vector3f> points{{1, 2, 3}, {nan, 0, 0}, {0, far, 0}, {1.1F, 2.1F, 3.1F}};
   std::vector<Eigen::Vector3f> out{{9, 9, 9}};

@@ -12,8 +12,8 @@ enum class Projection {
   kUniform  ///< LeGO-LOAM's grid of equal angles: of the returns in a pixel the last one stays
 };
 
-/// [features.grid] The grid of equal angles: 64 rows of this step (LeGO-LOAM, for the HDL-64E). Such a unit's rows
-/// are 1/3 and 1/2 degree apart, so some pixels get two rings and some none.
+/// [features.grid] The grid of equal angles: 64 rows of this step (LeGO-LOAM, for the HDL-64E). Such a unit's
+/// rows are 1/3 and 1/2 degree apart, so some pixels get two rings and some none.
 struct UniformGridConfig {
   int columns = 1800;
   double row_step_deg = 0.427;
@@ -47,7 +47,8 @@ template <typename Visitor>
 void describe(Visitor& v, ClusteringConfig& c) {
   v("neighbours", c.neighbours,
     choices(std::pair{"four", Neighbours::kFour}, std::pair{"diagonal", Neighbours::kDiagonal}),
-    "cells that are held against each other: beside and above, or across corners (PaGO-LOAM's code: diagonal)");
+    "cells that are held against each other: beside and above, or across corners (PaGO-LOAM's code: "
+    "diagonal)");
   v("join_angle_deg", c.join_angle_deg, within(1.0, 89.0),
     "neighbouring returns belong together when the line between them is steeper than this against the far "
     "beam "
@@ -90,8 +91,8 @@ enum class Smoothness {
 
 /// What planar points are found on.
 enum class PlanarSource {
-  kBoth,   ///< ground and other surfaces: the text of LeGO-LOAM
-  kGround  ///< ground alone: its code, and PaGO-LOAM's
+  kBoth,       ///< ground and other surfaces: the text of LeGO-LOAM
+  kGroundOnly  ///< ground alone: its code, and PaGO-LOAM's
 };
 
 /// [features]
@@ -122,7 +123,8 @@ template <typename Visitor>
 void describe(Visitor& v, FeaturesConfig& c) {
   v("projection", c.projection,
     choices(std::pair{"ring", Projection::kRing}, std::pair{"uniform", Projection::kUniform}),
-    "the range image that features are found in: one cell per firing, or a grid of equal angles where the last "
+    "the range image that features are found in: one cell per firing, or a grid of equal angles where the "
+    "last "
     "return of a pixel stays (PaGO-LOAM: uniform)");
   v.section("grid", c.grid, "the grid of equal angles of features.projection");
   v.section("clustering", c.clustering, "grouping of non-ground returns; small groups give no features");
@@ -141,17 +143,21 @@ void describe(Visitor& v, FeaturesConfig& c) {
   v("flat_planars_per_sector", c.flat_planars_per_sector, within(0, 10),
     "planar points to register, of ground and of other surfaces each (LeGO-LOAM: 4, ground only)");
   v("planar_source", c.planar_source,
-    choices(std::pair{"both", PlanarSource::kBoth}, std::pair{"ground", PlanarSource::kGround}),
-    "where planar points to register are found: on all surfaces, or on ground alone (PaGO-LOAM's code: ground)");
+    choices(std::pair{"both", PlanarSource::kBoth}, std::pair{"ground", PlanarSource::kGroundOnly}),
+    "where planar points to register are found: on all surfaces, or on ground alone (PaGO-LOAM's code: "
+    "ground)");
   v("planars_per_sector", c.planars_per_sector, within(0, 1000),
-    "planar points to register against, the flattest of each sector; 0: all that is no edge (LeGO-LOAM's text: 80, "
+    "planar points to register against, the flattest of each sector; 0: all that is no edge (LeGO-LOAM's "
+    "text: 80, "
     "its code: all)");
   v("ground_every_columns", c.ground_every_columns, within(1, 100),
     "ground gives features in every so many-th column only (LeGO-LOAM: 5)");
   v("outlier_every_columns", c.outlier_every_columns, within(0, 100),
-    "of segments too small to trust, the map of mapping.method = keyframes gets every so many-th column; 0: none "
+    "of segments too small to trust, the map of mapping.method = keyframes gets every so many-th column; 0: "
+    "none "
     "(LeGO-LOAM: 5)");
-  v("outliers_above_row", c.outliers_above_row, within(0, 63), "and these above this row only (PaGO-LOAM: 50)");
+  v("outliers_above_row", c.outliers_above_row, within(0, 63),
+    "and these above this row only (PaGO-LOAM: 50)");
   v("occlusion_jump_m", c.occlusion_jump_m, within(0.01, 10.0),
     "a range jump beyond this hides the farther side: no features there (LeGO-LOAM: 0.3)");
   v("parallel_beam_ratio", c.parallel_beam_ratio, within(0.001, 1.0),

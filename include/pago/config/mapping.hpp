@@ -101,8 +101,9 @@ enum class MappingMethod {
   kKeyframes  ///< the features of keyframes around, every few sweeps: LeGO-LOAM's and PaGO-LOAM's
 };
 
-/// [mapping.keyframe_map] What is particular to method = keyframes: scan-to-map as PaGO-LOAM's code has it, without loop
-/// closing. Of [mapping] it uses point_sigma_m (for the covariance) and keyframes (which sweeps the saved map is of).
+/// [mapping.keyframe_map] What is particular to method = keyframes: scan-to-map as PaGO-LOAM's code has it,
+/// without loop closing. Of [mapping] it uses point_sigma_m (for the covariance) and keyframes (which sweeps
+/// the saved map is of).
 struct KeyframeMapConfig {
   int every_sweeps = 2;
   double min_interval_s = 0.3;
@@ -139,7 +140,8 @@ void describe(Visitor& v, KeyframeMapConfig& c) {
     "edges, of a sweep and of the map, are means over voxels of this side (LeGO-LOAM: 0.2)");
   v("planar_voxel_m", c.planar_voxel_m, within(0.01, 5.0), "the same for planar points (LeGO-LOAM: 0.4)");
   v("max_iterations", c.max_iterations, within(1, 100), "of matching and solving (LeGO-LOAM: 10)");
-  v("update_gain", c.update_gain, within(0.01, 1.0), "part of each Gauss-Newton step that is taken (LeGO-LOAM: 1)");
+  v("update_gain", c.update_gain, within(0.01, 1.0),
+    "part of each Gauss-Newton step that is taken (LeGO-LOAM: 1)");
   v("match_radius_m", c.match_radius_m, within(0.1, 20.0),
     "the farthest of the five neighbours must be nearer (LeGO-LOAM: 1)");
   v("min_matches", c.min_matches, within(6, 10000), "fewer matches: no step (LeGO-LOAM: 50)");

@@ -54,8 +54,9 @@ void describe(Visitor& v, CellTargetsConfig& c) {
     "arc some");
 }
 
-/// [odometry.loam] What is particular to registration = loam. It uses of [odometry] max_rounds (matchings per step),
-/// steps_per_round, update_gain, match_radius_m, stop_*, deskew and what judges a result; nothing else.
+/// [odometry.loam] What is particular to registration = loam. It uses of [odometry] max_rounds (matchings per
+/// step), steps_per_round, update_gain, match_radius_m, stop_*, deskew and what judges a result; nothing
+/// else.
 struct LoamConfig {
   double target_voxel_m = 0.2;
   bool same_surface = false;
@@ -65,7 +66,8 @@ struct LoamConfig {
 template <typename Visitor>
 void describe(Visitor& v, LoamConfig& c) {
   v("target_voxel_m", c.target_voxel_m, within(0.0, 5.0),
-    "planar points to register against are means over voxels of this side, row by row; 0: as they are (LeGO-LOAM: "
+    "planar points to register against are means over voxels of this side, row by row; 0: as they are "
+    "(LeGO-LOAM: "
     "0.2)");
   v("same_surface", c.same_surface,
     "ground is matched with ground and other surfaces with others (LeGO-LOAM's text: yes, its code: no)");

@@ -24,9 +24,9 @@ constexpr auto preset_choices() {
                  std::pair{"paper-text", Preset::kPaperText});
 }
 
-/// [set-up] Changes the settings that the preset names; kDefault none. Other settings stay as they are, so it is
-/// applied first. In a settings file `preset = "paper-code"` comes first wherever it stands; as `--set` it is
-/// applied in its turn.
+/// [set-up] Changes the settings that the preset names; kDefault none. Other settings stay as they are, so it
+/// is applied first. In a settings file `preset = "paper-code"` comes first wherever it stands; as `--set` it
+/// is applied in its turn.
 void apply_preset(Config& config, Preset preset);
 
 /// [set-up] By its name; throws Error with the names that there are.

@@ -14,8 +14,8 @@ namespace pago::features {
 /// Groups the non-ground returns of a range image into segments: neighbours belong together
 /// when the angle between the line through them and the farther beam exceeds a threshold (Bogoslavskyi and
 /// Stachniss 2016; LeGO-LOAM section III.C). The angle comes from the two returns themselves, so that uneven
-/// ring spacing needs no table; in a grid of equal angles it is the grid's. Connectivity is solved by union-find, which finds the same segments as a
-/// flood fill, in one pass.
+/// ring spacing needs no table; in a grid of equal angles it is the grid's. Connectivity is solved by
+/// union-find, which finds the same segments as a flood fill, in one pass.
 ///
 /// [set-up] constructor; [front thread] label(): real-time safe, deterministic.
 class Clusterer {

@@ -24,10 +24,10 @@ inline FeatureImage own_image(const Sweep& sweep) noexcept {
   return {sweep.range_image, static_cast<int>(sweep.header.num_columns), sweep.ground.first(sweep.size)};
 }
 
-/// LeGO-LOAM's grid of equal angles (its projectPointCloud): features.projection = uniform. Row: elevation from the
-/// bottom, cut towards zero; column: azimuth, rounded, the x axis in the middle. Of a pixel's returns the last one
-/// stays, and the pixel is ground if any of them is (PaGO-LOAM). Returns outside, and closer ones, have no pixel.
-/// [set-up] constructor; [front thread] project(): real-time safe, deterministic.
+/// LeGO-LOAM's grid of equal angles (its projectPointCloud): features.projection = uniform. Row: elevation
+/// from the bottom, cut towards zero; column: azimuth, rounded, the x axis in the middle. Of a pixel's
+/// returns the last one stays, and the pixel is ground if any of them is (PaGO-LOAM). Returns outside, and
+/// closer ones, have no pixel. [set-up] constructor; [front thread] project(): real-time safe, deterministic.
 class UniformGrid {
  public:
   UniformGrid(const UniformGridConfig& config, double min_range_m, std::uint32_t max_returns);

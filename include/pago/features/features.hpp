@@ -33,8 +33,8 @@ struct RingSequence {
 
 /// Feature extraction as a pipeline stage (LeGO-LOAM section III.C-D, PaGO-LOAM): clusters, then along each
 /// ring edges (rough, never ground) and planar points (smooth; ground and other surfaces). Fills
-/// sweep.cluster and sweep.features. What LeGO-LOAM's code and text do otherwise is a setting each. [set-up] constructor; [front thread] the rest: real-time safe,
-/// deterministic.
+/// sweep.cluster and sweep.features. What LeGO-LOAM's code and text do otherwise is a setting each. [set-up]
+/// constructor; [front thread] the rest: real-time safe, deterministic.
 class FeaturesStage {
  public:
   FeaturesStage(const FeaturesConfig& config, std::uint32_t max_returns);

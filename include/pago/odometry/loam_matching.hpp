@@ -23,9 +23,10 @@ struct Offset {
   double distance_m;
 };
 
-/// Neighbours as LOAM's and LeGO-LOAM's code finds them: the nearest feature within a radius; for a line the nearest of
-/// those on other rows, for a plane the nearest other one on its own row and the nearest on other rows; at most two
-/// rows away, within the radius of the query. Allocates while it is built; deterministic. [one thread]
+/// Neighbours as LOAM's and LeGO-LOAM's code finds them: the nearest feature within a radius; for a line the
+/// nearest of those on other rows, for a plane the nearest other one on its own row and the nearest on other
+/// rows; at most two rows away, within the radius of the query. Allocates while it is built; deterministic.
+/// [one thread]
 class LoamTargets {
  public:
   explicit LoamTargets(double radius_m) : radius_sq_m2_(static_cast<float>(radius_m * radius_m)) {}

@@ -10,8 +10,8 @@
 
 namespace pago::registration {
 
-/// Exact nearest neighbours of points in space: nanoflann's kd-tree, as the paper presets search. build() allocates,
-/// so it is for no hot path (GridIndex and CellMap are). Deterministic. [one thread]
+/// Exact nearest neighbours of points in space: nanoflann's kd-tree, as the paper presets search. build()
+/// allocates, so it is for no hot path (GridIndex and CellMap are). Deterministic. [one thread]
 class KdTree {
  public:
   KdTree();
@@ -23,8 +23,8 @@ class KdTree {
 
   const std::vector<Eigen::Vector3f>& points() const noexcept;
 
-  /// The indices of the nearest points, nearest first, and their squared distances; as many as `indices` has room for,
-  /// or all. Returns how many.
+  /// The indices of the nearest points, nearest first, and their squared distances; as many as `indices` has
+  /// room for, or all. Returns how many.
   std::size_t nearest(const Eigen::Vector3f& query,
                       std::span<std::uint32_t> indices,
                       std::span<float> squared_m2) const;

@@ -2,8 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 // compensate FOLDER OUT: a drive of packets (packets.pcap, calibration.xml, poses_start.txt, poses_mid.txt,
-// poses_end.txt) as KITTI scans whose returns are all in the frame of the sweep's middle, moved there by the truth. Of
-// the lab's drives, which stand there as packets only, it makes what the paper's systems were measured on.
+// poses_end.txt) as KITTI scans whose returns are all in the frame of the sweep's middle, moved there by the
+// truth. Of the lab's drives, which stand there as packets only, it makes what the paper's systems were
+// measured on.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -35,9 +36,8 @@ struct Truth {
   /// From the sensor at a part of sweep `row` to the sensor in its middle.
   Eigen::Isometry3d T_mid_sensor(std::size_t row, double part) const {
     const auto pose = [&](const evaluation::Trajectory& t) { return t.poses[row].T_world_sensor; };
-    const Eigen::Isometry3d T_world_sensor = part < 0.5
-                                                 ? interpolate(pose(start), pose(mid), 2.0 * part)
-                                                 : interpolate(pose(mid), pose(end), 2.0 * part - 1.0);
+    const Eigen::Isometry3d T_world_sensor = part < 0.5 ? interpolate(pose(start), pose(mid), 2.0 * part)
+                                                        : interpolate(pose(mid), pose(end), 2.0 * part - 1.0);
     return pose(mid).inverse() * T_world_sensor;
   }
 
@@ -65,7 +65,8 @@ std::vector<Point> compensated(const Sweep& sweep, const Truth& truth, std::size
   const double duration_ns = static_cast<double>(sweep.header.end_ns - sweep.header.start_ns);
   for (std::uint32_t i = 0; i < sweep.size; ++i) {
     const Eigen::Isometry3d T = truth.T_mid_sensor(row, sweep.time_offset_ns[i] / duration_ns);
-    const Eigen::Vector3f p = (T * Eigen::Vector3f(sweep.x_m[i], sweep.y_m[i], sweep.z_m[i]).cast<double>()).cast<float>();
+    const Eigen::Vector3f p =
+        (T * Eigen::Vector3f(sweep.x_m[i], sweep.y_m[i], sweep.z_m[i]).cast<double>()).cast<float>();
     rings[sweep.ring[i]].push_back({p.x(), p.y(), p.z(), static_cast<float>(sweep.intensity[i]) / 255.0F});
   }
   return in_order_of_kitti(rings);
@@ -73,7 +74,8 @@ std::vector<Point> compensated(const Sweep& sweep, const Truth& truth, std::size
 
 void write(const std::vector<Point>& points, const fs::path& file) {
   std::ofstream out(file, std::ios::binary);
-  out.write(reinterpret_cast<const char*>(points.data()), static_cast<std::streamsize>(points.size() * sizeof(Point)));
+  out.write(reinterpret_cast<const char*>(points.data()),
+            static_cast<std::streamsize>(points.size() * sizeof(Point)));
   if (!out) throw std::runtime_error(file.string() + " cannot be written");
 }
 
@@ -81,8 +83,7 @@ std::size_t compensate(const fs::path& folder, const fs::path& out) {
   Config config;
   config.hdl64.vertical_offset = VerticalOffset::kPerpendicular;
   const Truth truth(folder);
-  const auto calibration =
-      hdl64::load_calibration(folder / "calibration.xml", config.hdl64.vertical_offset);
+  const auto calibration = hdl64::load_calibration(folder / "calibration.xml", config.hdl64.vertical_offset);
   PcapSource packets(folder / "packets.pcap", config.packets, config.capture);
   SweepReader reader(config, packets, calibration);
   fs::create_directories(out / "velodyne");
