@@ -30,7 +30,8 @@ std::int32_t obstacle(const FeatureImage& image, int ring, int column) noexcept 
 
 Clusterer::Clusterer(const ClusteringConfig& config, std::uint32_t max_returns)
     : config_(config),
-      tan_join_(static_cast<float>(std::tan(config.join_angle_deg * kDegree))),
+      tan_join_(std::tan(config.join_angle_deg * kDegree)),
+      tan_join_sq_(static_cast<float>(tan_join_ * tan_join_)),
       parent_(max_returns),
       segments_(max_returns),
       label_of_(max_returns) {}
@@ -116,10 +117,10 @@ bool Clusterer::is_smooth(const Eigen::Vector3f& a, const Eigen::Vector3f& b, fl
     const float farther = std::sqrt(std::max(a.squaredNorm(), b.squaredNorm()));
     const float nearer = std::sqrt(std::min(a.squaredNorm(), b.squaredNorm()));
     const float along = farther - nearer * std::cos(step_rad);
-    return along <= 0.0F || nearer * std::sin(step_rad) > tan_join_ * along;
+    return along <= 0.0F || nearer * std::sin(step_rad) > static_cast<float>(tan_join_) * along;
   }
   const float along = std::max(a.squaredNorm(), b.squaredNorm()) - a.dot(b);
-  return along <= 0.0F || a.cross(b).squaredNorm() > tan_join_ * tan_join_ * along * along;
+  return along <= 0.0F || a.cross(b).squaredNorm() > tan_join_sq_ * along * along;
 }
 
 void Clusterer::measure(const FeatureImage& image, std::uint32_t size) noexcept {

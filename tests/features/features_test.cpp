@@ -106,7 +106,7 @@ TEST_CASE("without spacing all that is no edge is a target, with a quota the fla
   Sweep all = street_sweep(0.01), few = street_sweep(0.01);
   FeaturesStage(config, test::kStreetReturns).finish(all);
   std::size_t usable = 0;
-  for (std::uint32_t i = 0; i < all.size; ++i) usable += all.cluster[i] != kClutter ? 1 : 0;
+  for (std::uint32_t i = 0; i < all.size; ++i) usable += all.cluster[i] != kClutter ? 1U : 0U;
   REQUIRE(all.features.planars.size() + all.features.edges.size() == usable);
   config.planars_per_sector = 80;
   FeaturesStage(config, test::kStreetReturns).finish(few);
@@ -140,7 +140,7 @@ TEST_CASE("ground can be taken from every fifth column only", "[features][stage]
   FeaturesStage(config, test::kStreetReturns).finish(sweep);
   std::size_t ground = 0, others = 0;
   for (const std::uint32_t i : sweep.features.planars) {
-    if (sweep.ground[i] != kGround) others += sweep.column[i] % 5 != 0 ? 1 : 0;
+    if (sweep.ground[i] != kGround) others += sweep.column[i] % 5 != 0 ? 1U : 0U;
     if (sweep.ground[i] != kGround || sweep.column[i] <= 5 || sweep.column[i] >= 1795) continue;
     ++ground;
     REQUIRE(sweep.column[i] % 5 == 0);

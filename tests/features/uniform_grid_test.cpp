@@ -72,15 +72,16 @@ TEST_CASE("the grid is what the formulas say, return by return", "[features][gri
   for (std::uint32_t i = 0; i < sweep.size; ++i) {
     const float x = sweep.x_m[i], y = sweep.y_m[i], z = sweep.z_m[i];
     if (std::hypot(x, y, z) < 1.0F) continue;
-    const double up = std::atan2(z, std::hypot(x, y)) * 180.0 / std::numbers::pi;
-    const double right = std::atan2(-y, x) * 180.0 / std::numbers::pi;
+    constexpr double kPerRadian = 180.0 / std::numbers::pi;
+    const double up = static_cast<double>(std::atan2(z, std::hypot(x, y))) * kPerRadian;
+    const double right = static_cast<double>(std::atan2(-y, x)) * kPerRadian;
     const double row = (up + 24.9) / 0.427;
     if (row <= -1.0 || row >= 64.0) continue;
     expected[{static_cast<int>(row), (static_cast<int>(std::lround(right / 0.2)) + 900) % 1800}] =
         static_cast<std::int32_t>(i);
   }
   std::size_t wrong = 0;
-  for (const auto& [cell, i] : expected) wrong += image.cells.at(cell.first, cell.second) == i ? 0 : 1;
+  for (const auto& [cell, i] : expected) wrong += image.cells.at(cell.first, cell.second) == i ? 0U : 1U;
   REQUIRE(expected.size() > 5000);
   REQUIRE(wrong < 20);  // float against double on the edge between two cells
 }

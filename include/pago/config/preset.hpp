@@ -12,7 +12,8 @@ namespace pago {
 
 struct Config;
 
-/// Named sets of settings. docs/presets.md says what is in them and why.
+/// Named sets of settings. docs/presets.md says what is in them and why. With those of the paper odometry and
+/// mapping allocate while they run: for studies, not for robots.
 enum class Preset {
   kDefault,    ///< PaGO's own
   kPaperCode,  ///< what PaGO-LOAM's code does; only its bounds of indices and its casts are mended

@@ -43,7 +43,8 @@ class Clusterer {
   std::uint32_t root(std::uint32_t i) noexcept;
 
   ClusteringConfig config_;
-  float tan_join_;
+  double tan_join_;
+  float tan_join_sq_;
   AlignedArray<std::uint32_t> parent_;
   AlignedArray<Segment> segments_;        // indexed by root
   AlignedArray<std::uint16_t> label_of_;  // indexed by root
