@@ -14,7 +14,7 @@
 #include "pago/core/seqlock.hpp"
 #include "pago/features/features.hpp"
 #include "pago/ground/ground_stage.hpp"
-#include "pago/mapping/mapping.hpp"
+#include "pago/mapping/mapper.hpp"
 #include "pago/odometry/odometry.hpp"
 #include "pago/pipeline/timed.hpp"
 #include "pago/platform/thread.hpp"
@@ -169,7 +169,7 @@ struct Pipeline::Parts {
   SweepRing ring;
   ground::GroundStage segmenter;
   features::FeaturesStage extractor;
-  mapping::MappingStage mapper;
+  mapping::Mapper mapper;
   odometry::OdometryStage odometer;
   output::PoseMaker pose_maker;
   std::optional<output::PoseBoard> board;  // live
