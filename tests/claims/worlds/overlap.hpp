@@ -49,8 +49,8 @@ inline std::vector<Cloud> clouds(simulator::Simulator& drive, const std::vector<
     wanted = scan;
     simulator::ScanCollector collector(drive, {}, true, use);
     drive.skip_to(drive.sweep(scan).start_ns);
-    while (result.size() <= static_cast<std::size_t>(&scan - scans.data()) && drive.next(packet))
-      collector.add(packet);
+    const std::size_t before = result.size();
+    while (result.size() == before && drive.next(packet)) collector.add(packet);
   }
   return result;
 }
