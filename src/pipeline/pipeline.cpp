@@ -233,6 +233,7 @@ void note(RunSummary& summary, const PacketSource& source, const PacketIngest& i
   summary.sweeps.dropped[static_cast<std::size_t>(SweepDrop::kNoFreeSweep)] = sweeps.no_free_sweep;
   summary.incomplete_sweeps = sweeps.incomplete;
   summary.sensor = hdl64::name(ingest.sensor());
+  summary.said = ingest.status().status();
   summary.clock_restarts = ingest.clock_restarts();
   summary.self_hits = ingest.self_hits();
 }
