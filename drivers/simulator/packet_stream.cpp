@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "packet_stream.hpp"
 
+#include <algorithm>
 #include <cstring>
 
 namespace pago::simulator {
@@ -47,6 +48,11 @@ void PacketStream::write_block(SimulatedPacket& packet,
     to[6 + 3 * j] = slot.intensity;
     packet.labels[block * hdl64::kLasersPerBlock + j] = static_cast<std::uint16_t>(slot.label);
   }
+}
+
+void PacketStream::skip_to(std::uint64_t packet) noexcept {
+  const auto per_block = static_cast<std::uint64_t>(Sensor::kBlock / sensor_.timing().firings);
+  next_ = std::min(settings_.count, packet / per_block * per_block);
 }
 
 bool PacketStream::next(SimulatedPacket& packet) {

@@ -24,6 +24,8 @@ class PacketStream {
   PacketStream(Sensor& sensor, RayCaster& scene, Traffic& traffic, StatusCycle status, Settings settings);
 
   bool next(SimulatedPacket& packet);
+  /// Goes on with this packet or one that is at most a few before it. Nothing between is cast.
+  void skip_to(std::uint64_t packet) noexcept;
 
  private:
   void write_block(SimulatedPacket& packet,

@@ -112,6 +112,11 @@ bool Simulator::next(SimulatedPacket& packet) {
   return state_->stream.next(packet);
 }
 
+void Simulator::skip_to(std::int64_t time_ns) noexcept {
+  const std::int64_t since_ns = std::max(std::int64_t{0}, time_ns - state_->start_ns);
+  state_->stream.skip_to(static_cast<std::uint64_t>(since_ns / state_->sensor.timing().packet_period_ns()));
+}
+
 const hdl64::Calibration& Simulator::calibration() const noexcept {
   return state_->file;
 }

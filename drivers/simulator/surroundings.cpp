@@ -17,13 +17,16 @@ namespace {
 constexpr double kInterval_s = 0.02;  // between the poses of a drive
 constexpr double kAfter_s = 4.0;      // what drives ahead needs to know of the time after the drive
 constexpr double kVehicleHalf_m = 0.9;
+/// Between a driver's corrections. With it the change of yaw from sweep to sweep is that of KITTI's 01 on a
+/// highway.
+constexpr double kCorrection_s = 2.3;
 
 /// Where a vehicle is on its way, every kInterval_s.
 struct Drive {
   Route route;
   std::vector<double> distances_m;
-  std::size_t last = 0;  ///< of the distances; what comes after is for others on the road
-  double unsteadiness = 1.0;
+  std::size_t last = 0;           ///< of the distances; what comes after is for others on the road
+  double corrects_every_m = 0.0;  ///< its driver; a recorded path has its own
 };
 
 /// A little more than is asked for, since the last rotation may end late.
@@ -39,6 +42,7 @@ Drive make_up(const SimulatorConfig& config, const Preset& preset) {
   const double seconds = config.seconds * config.speed;
   const double length_m = std::max(pace.cruise_m_s, config.start_speed_m_s) * (seconds + kAfter_s);
   Drive drive;
+  drive.corrects_every_m = kCorrection_s * preset.pace.cruise_m_s;
   drive.route = config.world == SimulatedWorld::kUrban
                     ? make_city(seed, length_m, config.loop_m)
                     : make_road(preset.road, seed, length_m, config.loop_m);
@@ -74,7 +78,6 @@ Drive follow(const SimulatorConfig& config, const Preset& preset) {
     drive.distances_m.push_back(
         path.distance_m(first_s + config.speed * kInterval_s * static_cast<double>(i)));
   drive.route = std::move(path.route);
-  drive.unsteadiness = 0.0;  // the path has its own
   return drive;
 }
 
@@ -93,8 +96,9 @@ Surroundings lay_out(const SimulatorConfig& config) {
   Drive drive = config.path.empty() ? make_up(config, preset) : follow(config, preset);
   Ground ground(StreetMap(std::move(drive.route.streets)), preset.ground, seed);
   const Way& way = drive.route.way;
-  const std::vector<Eigen::Isometry3d> poses = drive_over(
-      ground, way, std::span(drive.distances_m).first(drive.last + 1), kInterval_s, drive.unsteadiness, seed);
+  const std::vector<Eigen::Isometry3d> poses =
+      drive_over(ground, way, std::span(drive.distances_m).first(drive.last + 1), kInterval_s,
+                 drive.corrects_every_m, seed);
 
   Surroundings result;
   result.T_world_base = std::make_unique<Trajectory>(poses, kInterval_s);

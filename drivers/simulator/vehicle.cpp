@@ -71,9 +71,10 @@ std::vector<double> speed_limits(const Way& way, std::span<const double> stops_m
 }
 
 /// Nobody steers along a line: how far to the left of it the vehicle is.
-double wander_m(std::uint64_t seed, double s_m) {
-  return 0.12 * noise(hash(seed, kWander), s_m, 0.0, 25.0) +
-         0.03 * noise(hash(seed, kWander, 1), s_m, 0.0, 7.0);
+double wander_m(std::uint64_t seed, double s_m, double every_m) {
+  if (every_m <= 0.0) return 0.0;
+  return 0.12 * noise(hash(seed, kWander), s_m, 0.0, every_m) +
+         0.03 * noise(hash(seed, kWander, 1), s_m, 0.0, 0.4 * every_m);
 }
 
 /// Turn rate, from the change of heading; and the rate of the speed.
@@ -127,13 +128,13 @@ std::vector<Eigen::Isometry3d> drive_over(const Ground& ground,
                                           const Way& way,
                                           std::span<const double> distances_m,
                                           double interval_s,
-                                          double unsteadiness,
+                                          double corrects_every_m,
                                           std::uint64_t seed) {
   std::vector<Eigen::Isometry3d> poses;
   poses.reserve(distances_m.size());
   std::vector<Spring> springs;  // height, pitch, roll
   for (std::size_t i = 0; i < distances_m.size(); ++i) {
-    const auto axle_at = [&](double s_m) { return way.beside(s_m, unsteadiness * wander_m(seed, s_m)); };
+    const auto axle_at = [&](double s_m) { return way.beside(s_m, wander_m(seed, s_m, corrects_every_m)); };
     const Vector2d rear = axle_at(distances_m[i] - kHalfWheelbase_m);
     const Vector2d front = axle_at(distances_m[i] + kHalfWheelbase_m);
     const Vector2d ahead = (front - rear).normalized(), left(-ahead.y(), ahead.x());

@@ -25,13 +25,13 @@ std::vector<double> distances_driven(
     const Way& way, std::span<const double> stops_m, const Pace& pace, double interval_s, double seconds);
 
 /// T_world_base of a car with springs that drives over the ground so. base_link is on the ground, below the
-/// middle between its axles. `unsteadiness` 1: the driver steers as people do, up to 15 cm off the way; 0:
-/// not at all.
+/// middle between its axles. The driver steers as people do, up to 15 cm off the way, and
+/// corrects about every `corrects_every_m`; 0: keeps to the way.
 std::vector<Eigen::Isometry3d> drive_over(const Ground& ground,
                                           const Way& way,
                                           std::span<const double> distances_m,
                                           double interval_s,
-                                          double unsteadiness,
+                                          double corrects_every_m,
                                           std::uint64_t seed);
 
 }  // namespace pago::simulator

@@ -13,6 +13,7 @@
 #include "pago/core/text.hpp"
 #include "pago/kitti/kitti_source.hpp"
 #include "pago/pcap/pcap_source.hpp"
+#include "pago/pipeline/run_status.hpp"
 #include "pago/platform/clock.hpp"
 #include "pago/udp/udp_source.hpp"
 #include "progress_line.hpp"
@@ -63,6 +64,17 @@ void look_at(PacketSource& source,
   found.complaint = source.complaint();
 }
 
+/// No packet was looked at closely. Why?
+[[noreturn]] void complain_of_nothing(const std::string& source, bool is_file, const Inspection& found) {
+  if (!found.survey.senders().empty())
+    throw Error(source, "nothing in it is asked for",
+                "its senders are listed above; set packets.port or packets.source_address");
+  if (is_file) throw Error(source, "holds no UDP datagram", "was the sensor's network recorded?");
+  IngestStatus status;
+  status.source = found.counters;
+  throw Error(source, "nothing to look at came", explain(stream_state(status, 0), status, source));
+}
+
 int inspect_packets(const InspectOptions& options, Config& config, PacketSource& source, double seconds) {
   const bool is_file = seconds == 0.0;
   std::string note;
@@ -78,9 +90,7 @@ int inspect_packets(const InspectOptions& options, Config& config, PacketSource&
   if (!is_file) filter.port = 0;  // the socket's own
   look_at(source, filter, seconds, found, survey);
   std::cout << (options.json ? inspection_json(found) : inspection_text(found));
-  if (survey.ingest().packets().received == 0)
-    throw Error(options.source, "nothing in it is asked for",
-                "its senders are listed above; set packets.port or packets.source_address");
+  if (survey.ingest().packets().received == 0) complain_of_nothing(options.source, is_file, found);
   return survey.ingest().packets().decoded > 0 ? 0 : 2;
 }
 

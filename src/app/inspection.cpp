@@ -130,13 +130,14 @@ std::string loss_lines(const Inspection& found) {
 
 std::string sender_lines(const StreamSurvey& survey) {
   const std::vector<Sender> senders = survey.senders();
-  if (senders.size() < 2) return {};
+  const bool is_told_above = senders.size() == 1 && survey.ingest().packets().received > 0;
+  if (is_told_above) return {};
   std::string text;
   constexpr std::size_t kMost = 8;
   for (std::size_t i = 0; i < std::min(senders.size(), kMost); ++i) {
     const Sender& s = senders[i];
-    const bool is_used =
-        s.ipv4 == survey.ingest().sender().ipv4() && s.port == survey.ingest().sender().port();
+    const bool is_used = survey.ingest().packets().decoded > 0 && s.ipv4 == survey.ingest().sender().ipv4() &&
+                         s.port == survey.ingest().sender().port();
     const std::string from = s.ipv4 == 0 ? "unknown" : ipv4_text(s.ipv4);
     text += line(
         i == 0 ? "senders" : "",

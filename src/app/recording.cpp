@@ -19,6 +19,21 @@ output::RunReport common_report(const std::string& source, const Config& config,
   return report;
 }
 
+/// What the sensor is and says of itself; of an early one, which says nothing, its name.
+void add_sensor(output::RunReport& report,
+                const std::string& sensor,
+                const hdl64::SensorStatus& said,
+                const Config& config) {
+  report.facts.emplace_back("sensor", sensor);
+  report.facts.emplace_back("calibration", config.hdl64.calibration);
+  if (said.gps == hdl64::GpsState::kUnknown) return;
+  if (said.firmware != 0) report.facts.emplace_back("firmware", hdl64::firmware_of(said));
+  report.facts.emplace_back("GPS", std::string(to_string(said.gps)));
+  report.facts.emplace_back("sensor temperature", format("%d C", said.temperature_c));
+  for (const std::string& warning : hdl64::warnings_of(said))
+    report.facts.emplace_back("sensor warning", warning);
+}
+
 }  // namespace
 
 output::RunReport report_of(const RunSummary& summary,
@@ -33,8 +48,7 @@ output::RunReport report_of(const RunSummary& summary,
   if (summary.mount.set_height_m > 0.0)
     report.facts.emplace_back("sensor height, estimated", format("%.3f m", summary.mount.set_height_m));
   if (has_packets) {
-    report.facts.emplace_back("sensor", summary.sensor);
-    report.facts.emplace_back("calibration", config.hdl64.calibration);
+    add_sensor(report, summary.sensor, summary.said, config);
     report.source_counters = summary.source;
     report.packets = summary.packets;
     report.firings = summary.firings;
@@ -72,8 +86,7 @@ output::RunReport report_so_far(const IngestStatus& status,
                                 const Config& config,
                                 double wall_s) {
   output::RunReport report = common_report(source, config, wall_s);
-  report.facts.emplace_back("sensor", std::string(hdl64::name(status.sensor)));
-  report.facts.emplace_back("calibration", config.hdl64.calibration);
+  add_sensor(report, std::string(hdl64::name(status.sensor)), status.said, config);
   report.source_counters = status.source;
   report.packets = status.packets;
   report.firings = status.firings;
@@ -87,6 +100,8 @@ std::vector<std::string> doubts(const RunSummary& summary,
                                 const OpenSource& source) {
   std::vector<std::string> result;
   const PacketCounters& packets = summary.packets;
+  for (const std::string& warning : hdl64::warnings_of(summary.said))
+    result.push_back("the sensor says: " + warning);
   if (summary.failure.empty() && totals.num_poses == 0)
     result.emplace_back("no complete rotation, so no pose");
   if (packets.late + packets.duplicate > packets.decoded / 10) {

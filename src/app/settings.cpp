@@ -5,10 +5,15 @@
 #include <CLI/CLI.hpp>
 
 #include "pago/config/load.hpp"
+#include "pago/core/error.hpp"
 
 namespace pago::app {
 
 void SettingsOptions::add_to(CLI::App& command) {
+  command
+      .add_option("--preset", preset,
+                  "a named set of settings, which file and --set may change: default, paper-code, paper-text")
+      ->type_name("NAME");
   command.add_option("--config", file, "settings file (TOML); `pago config` prints one")->type_name("FILE");
   command
       .add_option("--set", assignments, "change one setting, e.g. --set ground.method=lego; may be repeated")
@@ -17,7 +22,14 @@ void SettingsOptions::add_to(CLI::App& command) {
 }
 
 Config SettingsOptions::load() const {
-  Config config = file.empty() ? Config{} : load_config(file);
+  Config config;
+  const std::optional<Preset> asked = preset.empty() ? std::nullopt : std::optional(preset_of(preset));
+  if (asked) apply_preset(config, *asked);
+  if (!file.empty()) {
+    load_config(config, file);
+    if (asked && config.preset != *asked)
+      throw Error(file, "has a preset of its own", "leave out one of the two");
+  }
   for (const std::string& assignment : assignments) set(config, assignment);
   return config;
 }

@@ -16,11 +16,12 @@ namespace pago::app {
 
 /// The options by which every command that works with settings takes them; later ones win.
 struct SettingsOptions {
-  std::string file;
+  std::string preset, file;
   std::vector<std::string> assignments;
 
   void add_to(CLI::App& command);
-  /// The defaults, changed by the file and then by the assignments. Throws Error; not validated yet.
+  /// The defaults, changed by the preset, the file and the assignments, in this order. Throws Error; not
+  /// validated yet.
   Config load() const;
 };
 

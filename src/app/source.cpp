@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "pago/assembly/stream_survey.hpp"
+#include "pago/config/packet_filter.hpp"
 #include "pago/core/error.hpp"
 #include "pago/core/text.hpp"
 #include "pago/ground/segmenter.hpp"
@@ -48,6 +49,23 @@ bool is_curious(const StreamSurvey& survey) {
   return !says_nothing && !ingest.status().has_calibration() && ingest.packets().decoded < kMostPackets;
 }
 
+/// "HDL-64E in single-return mode to port 2369": what a capture holds, whoever is asked for; empty if no
+/// sensor.
+std::string sensor_in(const fs::path& file) {
+  PcapSource everything(file, {.port = 0, .source_address = {}});
+  StreamSurvey survey;
+  for (std::uint64_t n = 0; n < kMostPackets && !everything.all_done();)
+    for (const Datagram& datagram : everything.receive()) {
+      survey.note_sender(datagram);
+      ++n;
+    }
+  for (const Sender& sender : survey.senders())
+    if (sender.sensor != hdl64::SensorKind::kUnknown)
+      return std::string(name(sender.sensor)) + " from " + ipv4_text(sender.ipv4) + " to port " +
+             std::to_string(sender.destination_port);
+  return {};
+}
+
 /// A capture of another sensor, or of none, is refused before anything starts.
 void check_sensor(const fs::path& file,
                   const PacketFilterConfig& filter,
@@ -62,10 +80,13 @@ void check_sensor(const fs::path& file,
         file.string(), "holds no whole datagram to port " + port,
         std::to_string(counters.truncated) + " are cut short: record with the full length, tcpdump -s 0");
   }
+  const std::string sensor = sensor_in(file);
   throw Error(file.string(),
               "holds no datagram to port " + port +
                   (filter.source_address.empty() ? "" : " from " + filter.source_address),
-              std::to_string(counters.filtered) + " others; set packets.port or packets.source_address");
+              std::to_string(counters.filtered) + " others" +
+                  (sensor.empty() ? "" : ", among them: " + sensor) +
+                  "; set packets.port or packets.source_address");
 }
 
 /// What is told of the sensor before a run, and what the run needs to know of it.

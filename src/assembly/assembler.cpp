@@ -52,6 +52,7 @@ void Assembler::set_format(const hdl64::StreamFormat& format) noexcept {
   assert(open_ == nullptr);
   firing_period_ns_ = format.firing_period_ns;
   room_ = format.is_dual() ? 2 * hdl64::kLasers : hdl64::kLasers;
+  had_echoes_ = had_echoes_ || is_dual();
   lanes_->lasers.time_ns = hdl64::laser_times_ns(format);
 }
 
@@ -130,11 +131,11 @@ int Assembler::cross_cut(const Firing& firing, double turn, double step, std::in
   blind_ = firing.is_after_blind ? static_cast<int>(lost_after_cut) : 0;
   start_turn_ = goes_on ? static_cast<double>(rotation) : std::max(turn, static_cast<double>(rotation));
   aim_lasers(step);
-  open(firing, columns_of_rotation(step), after_gap);
+  open(firing, column, columns_of_rotation(step), after_gap);
   return column;
 }
 
-void Assembler::open(const Firing& firing, int columns, bool after_gap) noexcept {
+void Assembler::open(const Firing& firing, int column, int columns, bool after_gap) noexcept {
   ++counters_.opened;
   is_first_of_stream_ = begins_stream_;
   is_first_ = begins_stream_ = false;
@@ -153,6 +154,10 @@ void Assembler::open(const Firing& firing, int columns, bool after_gap) noexcept
   header.start_ns = firing.time_ns;
   header.first_arrival_ns = firing.arrival_ns;
   if (after_gap) header.flags |= kAfterGap;
+  if (had_echoes_ && !is_dual()) std::fill(open_->echo.begin(), open_->echo.end(), std::uint8_t{0});
+  lanes_->tile.start(column);
+  for (std::size_t laser = 0; laser < hdl64::kLasers; ++laser)
+    open_->range_image.clear(lanes_->lasers.ring[laser], -kColumnMargin, column + lanes_->shift[laser]);
 }
 
 void Assembler::aim_lasers(double step) noexcept {
@@ -175,6 +180,7 @@ void Assembler::append(const Firing& firing,
                        const hdl64::FiringReturns* others) noexcept {
   Sweep& sweep = *open_;
   const FiringPlace place{column, static_cast<std::int32_t>(firing.time_ns - sweep.header.start_ns)};
+  ReturnSlots::at(sweep, sweep.size).prefetch();
   fill_cells(strongest.valid, column);
   const auto write = [&](const hdl64::FiringReturns& returns) {
     const ReturnSlots to = ReturnSlots::at(sweep, sweep.size);
@@ -195,14 +201,34 @@ void Assembler::fill_cells(std::uint64_t valid, int column) noexcept {
   ImageTile& tile = lanes_->tile;
   if (!tile.takes(column)) {
     write_cells();
-    tile.start(column);
+    leave_empty(column);
   }
+  tile.prefetch(open_->range_image.row(0), lanes_->cell);
   fastest::number(valid, open_->size, tile.next());
 }
 
-/// After this the range image is up to date.
+/// After this the range image is up to date, as far as firings have come.
 void Assembler::write_cells() noexcept {
   lanes_->tile.write(open_->range_image.row(0), lanes_->cell);
+}
+
+/// No firing comes before this column.
+void Assembler::leave_empty(int column) noexcept {
+  const Lanes& l = *lanes_;
+  const int begin = l.tile.end();
+  if (begin < column)
+    for (std::size_t laser = 0; laser < hdl64::kLasers; ++laser)
+      open_->range_image.clear(l.lasers.ring[laser], begin + l.shift[laser], column + l.shift[laser]);
+  lanes_->tile.start(column);
+}
+
+/// Nor any more in this sweep.
+void Assembler::leave_rest_empty() noexcept {
+  const Lanes& l = *lanes_;
+  const int columns = std::max(static_cast<int>(open_->header.num_columns), open_->stale_columns);
+  for (std::size_t laser = 0; laser < hdl64::kLasers; ++laser)
+    open_->range_image.clear(l.lasers.ring[laser], l.tile.end() + l.shift[laser], columns + kColumnMargin);
+  open_->stale_columns = 0;
 }
 
 void Assembler::hand_on_sectors() noexcept {
@@ -229,7 +255,7 @@ void Assembler::close_at_cut(int lost_before_cut, bool is_blind) noexcept {
   // It is still the one that was asked for then.
   const std::uint64_t request = spare_->header.request;
   const StageTime asked = spare_->time_of(StageId::kIngest);
-  spare_->reset();
+  spare_->recycle();
   spare_->header.request = request;
   spare_->time_of(StageId::kIngest) = asked;
 }
@@ -278,6 +304,7 @@ void Assembler::fold_margins() noexcept {
 
 void Assembler::hand_on() noexcept {
   write_cells();
+  leave_rest_empty();
   fold_margins();
   const SweepHeader& header = open_->header;
   ++counters_.handed_on;

@@ -6,6 +6,8 @@
 #include <bit>
 #include <cstdint>
 
+#include "pago/core/aligned_array.hpp"
+#include "pago/core/prefetch.hpp"
 #include "pago/core/sweep.hpp"
 #include "pago/hdl64/packet_decoder.hpp"
 
@@ -41,6 +43,17 @@ struct ReturnSlots {
             .echo = sweep.echo.data() + index,
             .column = sweep.column.data() + index,
             .time_offset_ns = sweep.time_offset_ns.data() + index};
+  }
+
+  /// Asks for the memory of the firing after the next two: a sweep is larger than the nearer caches.
+  void prefetch() const noexcept {
+    constexpr std::size_t kAhead = 3 * hdl64::kLasers;
+    const auto ask = [](const auto* array) {
+      const auto* const bytes = reinterpret_cast<const std::uint8_t*>(array + kAhead);
+      for (std::size_t at = 0; at < hdl64::kLasers * sizeof *array; at += kCacheLineBytes)
+        prefetch_to_write(bytes + at);
+    };
+    ask(x_m), ask(y_m), ask(z_m), ask(time_offset_ns), ask(column), ask(intensity), ask(ring);
   }
 };
 

@@ -7,6 +7,7 @@
 #include <cstdint>
 
 #include "firing_lanes.hpp"
+#include "pago/core/prefetch.hpp"
 
 namespace pago {
 
@@ -27,7 +28,17 @@ class ImageTile {
   }
   /// Cells of the next firing, to be filled by the caller.
   CellLanes& next() noexcept { return cells_[static_cast<std::size_t>(size_++)]; }
-  bool is_empty() const noexcept { return size_ == 0; }
+  /// The column behind the tile's last firing.
+  int end() const noexcept { return first_ + size_; }
+
+  /// Asks for some of the rows' cache lines that write() will need, a sixteenth of them: to be called for
+  /// each firing. Sixty-four rows are more than a processor foresees by itself.
+  void prefetch(const std::int32_t* row_0,
+                const std::array<std::int32_t, hdl64::kLasers>& cell) const noexcept {
+    constexpr int kEach = hdl64::kLasers / kColumns;
+    for (int laser = kEach * size_; laser < kEach * (size_ + 1); ++laser)
+      prefetch_to_write(row_0 + cell[static_cast<std::size_t>(laser)] + first_ + kColumns - 1);
+  }
 
   /// Writes what there is into the rows; `cell[laser]` is where a laser's column 0 lies after `row_0`.
   void write(std::int32_t* row_0, const std::array<std::int32_t, hdl64::kLasers>& cell) noexcept;

@@ -7,6 +7,8 @@
 #include <numbers>
 #include <utility>
 
+#include "pago/core/prefetch.hpp"
+
 namespace pago {
 
 namespace {
@@ -46,6 +48,7 @@ void PacketIngest::push(const Datagram& datagram) noexcept {
   if (datagram.payload.size() != hdl64::kPacketBytes) {
     return refuse(PacketFault::kSize);
   }
+  prefetch_to_read(datagram.payload);
   if (is_foreign(datagram)) {
     ++packets_.filtered;
     return;

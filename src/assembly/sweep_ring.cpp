@@ -15,7 +15,7 @@ SweepRing::SweepRing(std::size_t size, std::uint32_t max_returns) {
 Sweep* SweepRing::try_acquire() noexcept {
   if (in_flight() == sweeps_.size()) return nullptr;
   Sweep& sweep = sweeps_[acquired_++ % sweeps_.size()];
-  sweep.reset();
+  sweep.recycle();
   return &sweep;
 }
 

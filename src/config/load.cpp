@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "pago/config/load.hpp"
 
+#include <algorithm>
 #include <cerrno>
 #include <cstring>
 #include <fstream>
@@ -49,6 +50,8 @@ std::string shortened(std::string text) {
               nearest.empty() ? "" : "did you mean " + nearest + "?");
 }
 
+constexpr std::string_view kPreset = "preset";
+
 void apply(const Settings& settings, const Entry& entry, const std::string& where) {
   if (settings.has_section(entry.key)) {
     if (std::holds_alternative<config::TableValue>(entry.value)) return;
@@ -78,21 +81,31 @@ Entry parse_assignment(const Settings& settings, std::string_view assignment) {
 
 Config load_config(const std::filesystem::path& file) {
   Config config;
-  apply_toml(config, read(file), file.string());
+  load_config(config, file);
   return config;
+}
+
+void load_config(Config& config, const std::filesystem::path& file) {
+  apply_toml(config, read(file), file.string());
 }
 
 void apply_toml(Config& config, std::string_view text, const std::string& name) {
   Config changed = config;
   const Settings settings = config::settings_of(changed);
-  for (const Entry& entry : config::parse_toml(text, name))
+  std::vector<Entry> entries = config::parse_toml(text, name);
+  std::ranges::stable_partition(entries, [](const Entry& entry) { return entry.key == kPreset; });
+  for (const Entry& entry : entries) {
     apply(settings, entry, name + ":" + std::to_string(entry.line));
+    if (entry.key == kPreset) apply_preset(changed, changed.preset);
+  }
   config = changed;
 }
 
 void set(Config& config, std::string_view assignment) {
   const Settings settings = config::settings_of(config);
-  apply(settings, parse_assignment(settings, assignment), std::string(assignment));
+  const Entry entry = parse_assignment(settings, assignment);
+  apply(settings, entry, std::string(assignment));
+  if (entry.key == kPreset) apply_preset(config, config.preset);
 }
 
 }  // namespace pago

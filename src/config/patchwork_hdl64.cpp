@@ -8,15 +8,15 @@ namespace pago {
 /// four bounds on elevation lie in the innermost zone. No flat plane above them is ground: in bins so small a
 /// roof is alone, and flat.
 PatchworkConfig patchwork_hdl64_profile() {
-  return {.zone_rings = {8, 5, 3, 6},
-          .zone_sectors = {24, 90, 90, 64},
+  return {.zone_rings = {8, 3, 4, 8},
+          .zone_sectors = {48, 90, 90, 90},
           .low_cut_below_ground_m = 3.0,
           .min_points = 3,
-          .lowest_points = 10,
+          .lowest_points = 20,
           .lowest_margin = 1.5,
-          .seed_height_m = 0.4,
-          .ground_thickness_m = 0.125,
-          .iterations = 5,
+          .seed_height_m = 0.3,
+          .ground_thickness_m = 0.075,
+          .iterations = 3,
           .min_uprightness = 0.8,
           .max_elevation_m = {0.523, 0.7246, 0.872, 1.118},
           .max_surface_variation = {0.0, 0.0, 0.0, 0.0}};

@@ -19,9 +19,9 @@ Eigen::Vector3f point(const Sweep& sweep, std::uint32_t i) {
 }
 
 /// A cell's return if it is an obstacle, else RangeImage::kEmpty.
-std::int32_t obstacle(const Sweep& sweep, int ring, int column) noexcept {
-  const std::int32_t i = sweep.range_image.at(ring, column);
-  if (i == RangeImage::kEmpty || sweep.ground[static_cast<std::uint32_t>(i)] == kGround)
+std::int32_t obstacle(const FeatureImage& image, int ring, int column) noexcept {
+  const std::int32_t i = image.cells.at(ring, column);
+  if (i == RangeImage::kEmpty || image.ground[static_cast<std::uint32_t>(i)] == kGround)
     return RangeImage::kEmpty;
   return i;
 }
@@ -29,19 +29,25 @@ std::int32_t obstacle(const Sweep& sweep, int ring, int column) noexcept {
 }  // namespace
 
 Clusterer::Clusterer(const ClusteringConfig& config, std::uint32_t max_returns)
-    : config_(config), parent_(max_returns), segments_(max_returns), label_of_(max_returns) {
-  const double tangent = std::tan(config.join_angle_deg * kDegree);
-  tan_join_sq_ = static_cast<float>(tangent * tangent);
-}
+    : config_(config),
+      tan_join_(std::tan(config.join_angle_deg * kDegree)),
+      tan_join_sq_(static_cast<float>(tan_join_ * tan_join_)),
+      parent_(max_returns),
+      segments_(max_returns),
+      label_of_(max_returns) {}
 
-void Clusterer::label(Sweep& sweep) noexcept {
+void Clusterer::label(Sweep& sweep, const FeatureImage& image) noexcept {
   for (std::uint32_t i = 0; i < sweep.size; ++i) parent_[i] = i;
-  join_neighbours(sweep);
-  measure(sweep);
+  if (config_.neighbours == Neighbours::kFour) {
+    join_neighbours(sweep, image);
+  } else {
+    join_diagonals(sweep, image);
+  }
+  measure(image, sweep.size);
 
   std::uint16_t next = 1;
   for (std::uint32_t i = 0; i < sweep.size; ++i) {
-    if (sweep.ground[i] == kGround) {
+    if (image.ground[i] == kGround) {
       sweep.cluster[i] = 0;
       continue;
     }
@@ -53,32 +59,49 @@ void Clusterer::label(Sweep& sweep) noexcept {
   }
 }
 
-void Clusterer::join_neighbours(const Sweep& sweep) noexcept {
-  const int columns = static_cast<int>(sweep.header.num_columns);
+void Clusterer::join_neighbours(const Sweep& sweep, const FeatureImage& image) noexcept {
   // Column by column, as the returns of one firing lie side by side in memory.
-  for (int column = 0; column < columns; ++column) {
-    const int before = column == 0 ? columns - 1 : column - 1;
+  for (int column = 0; column < image.columns; ++column) {
+    const int before = column == 0 ? image.columns - 1 : column - 1;
     std::int32_t below = RangeImage::kEmpty;
     for (int ring = 0; ring < kNumRings; ++ring) {
-      const std::int32_t here = obstacle(sweep, ring, column);
+      const std::int32_t here = obstacle(image, ring, column);
       if (here != RangeImage::kEmpty) {
         const auto i = static_cast<std::uint32_t>(here);
-        if (below != RangeImage::kEmpty) join_if_smooth(sweep, i, static_cast<std::uint32_t>(below));
-        const std::int32_t beside = obstacle(sweep, ring, before);
-        if (beside != RangeImage::kEmpty) join_if_smooth(sweep, i, static_cast<std::uint32_t>(beside));
+        if (below != RangeImage::kEmpty)
+          join_if_smooth(sweep, i, static_cast<std::uint32_t>(below), image.row_step_rad);
+        const std::int32_t beside = obstacle(image, ring, before);
+        if (beside != RangeImage::kEmpty)
+          join_if_smooth(sweep, i, static_cast<std::uint32_t>(beside), image.column_step_rad);
       }
       below = here;
     }
   }
 }
 
-// With d1 >= d2 the ranges and a the angle between the beams, the returns belong together when
-// atan2(d2 sin a, d1 - d2 cos a) > join angle. Multiplied by d1: |p1 x p2| > tan(join) (d1^2 - p1 . p2).
-void Clusterer::join_if_smooth(const Sweep& sweep, std::uint32_t a, std::uint32_t b) noexcept {
-  const Eigen::Vector3f pa = point(sweep, a), pb = point(sweep, b);
-  const float farther_sq = std::max(pa.squaredNorm(), pb.squaredNorm());
-  const float along = farther_sq - pa.dot(pb);
-  if (along > 0.0F && pa.cross(pb).squaredNorm() <= tan_join_sq_ * along * along) return;
+// PaGO-LOAM's code takes the step between rows for these.
+void Clusterer::join_diagonals(const Sweep& sweep, const FeatureImage& image) noexcept {
+  for (int column = 0; column < image.columns; ++column) {
+    const int before = column == 0 ? image.columns - 1 : column - 1;
+    for (int ring = 0; ring < kNumRings; ++ring) {
+      const std::int32_t here = obstacle(image, ring, column);
+      if (here == RangeImage::kEmpty) continue;
+      for (const int other : {ring - 1, ring + 1}) {
+        if (other < 0 || other >= kNumRings) continue;
+        const std::int32_t across = obstacle(image, other, before);
+        if (across != RangeImage::kEmpty)
+          join_if_smooth(sweep, static_cast<std::uint32_t>(here), static_cast<std::uint32_t>(across),
+                         image.row_step_rad);
+      }
+    }
+  }
+}
+
+void Clusterer::join_if_smooth(const Sweep& sweep,
+                               std::uint32_t a,
+                               std::uint32_t b,
+                               float step_rad) noexcept {
+  if (!is_smooth(point(sweep, a), point(sweep, b), step_rad)) return;
   const std::uint32_t ra = root(a), rb = root(b);
   if (ra < rb) {
     parent_[rb] = ra;
@@ -87,12 +110,25 @@ void Clusterer::join_if_smooth(const Sweep& sweep, std::uint32_t a, std::uint32_
   }
 }
 
-void Clusterer::measure(const Sweep& sweep) noexcept {
-  std::fill_n(segments_.data(), sweep.size, Segment{});
-  std::fill_n(label_of_.data(), sweep.size, kUnlabelled);
+// With d1 >= d2 the ranges and a the angle between the beams, the returns belong together when
+// atan2(d2 sin a, d1 - d2 cos a) > join angle. Multiplied by d1: |p1 x p2| > tan(join) (d1^2 - p1 . p2).
+bool Clusterer::is_smooth(const Eigen::Vector3f& a, const Eigen::Vector3f& b, float step_rad) const noexcept {
+  if (step_rad > 0.0F) {
+    const float farther = std::sqrt(std::max(a.squaredNorm(), b.squaredNorm()));
+    const float nearer = std::sqrt(std::min(a.squaredNorm(), b.squaredNorm()));
+    const float along = farther - nearer * std::cos(step_rad);
+    return along <= 0.0F || nearer * std::sin(step_rad) > static_cast<float>(tan_join_) * along;
+  }
+  const float along = std::max(a.squaredNorm(), b.squaredNorm()) - a.dot(b);
+  return along <= 0.0F || a.cross(b).squaredNorm() > tan_join_sq_ * along * along;
+}
+
+void Clusterer::measure(const FeatureImage& image, std::uint32_t size) noexcept {
+  std::fill_n(segments_.data(), size, Segment{});
+  std::fill_n(label_of_.data(), size, kUnlabelled);
   for (int ring = 0; ring < kNumRings; ++ring) {
-    const std::int32_t* row = sweep.range_image.row(ring);
-    for (std::uint32_t column = 0; column < sweep.header.num_columns; ++column) {
+    const std::int32_t* row = image.cells.row(ring);
+    for (int column = 0; column < image.columns; ++column) {
       if (row[column] == RangeImage::kEmpty) continue;
       Segment& segment = segments_[root(static_cast<std::uint32_t>(row[column]))];
       ++segment.num_points;

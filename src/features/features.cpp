@@ -15,36 +15,56 @@ FeaturesStage::FeaturesStage(const FeaturesConfig& config, std::uint32_t max_ret
       thinner_(config.thinning, max_returns),
       ring_(kMaxColumns),
       candidates_(kMaxColumns),
-      is_edge_(kMaxColumns) {}
+      is_edge_(kMaxColumns) {
+  if (config.projection == Projection::kUniform)
+    grid_ = std::make_unique<UniformGrid>(config.grid, config.min_range_m, max_returns);
+}
 
 void FeaturesStage::finish(Sweep& sweep) noexcept {
   thinner_.finish(sweep);
-  clusterer_.label(sweep);
+  const FeatureImage image = grid_ ? grid_->project(sweep) : own_image(sweep);
+  clusterer_.label(sweep, image);
+  FeatureLists& lists = sweep.features;
   for (int ring = 0; ring < kNumRings; ++ring) {
-    load_ring(sweep, ring);
+    load_ring(sweep, image, ring);
     compute_smoothness(ring_, config_.smoothness);
     block_unreliable(ring_, config_);
     select(sweep);
-    keep_targets(sweep);
+    if (config_.planars_per_sector == 0) keep_targets(sweep, image.columns);
+    const auto next = static_cast<std::size_t>(ring) + 1;
+    lists.edge_rows[next] = static_cast<std::uint32_t>(lists.edges.size());
+    lists.planar_rows[next] = static_cast<std::uint32_t>(lists.planars.size());
   }
 }
 
-void FeaturesStage::load_ring(const Sweep& sweep, int ring) noexcept {
-  const std::int32_t* row = sweep.range_image.row(ring);
+/// LeGO-LOAM's code keeps all columns beside the cut, for no stated reason.
+bool FeaturesStage::is_left_out(int column, int columns) const noexcept {
+  constexpr int kAlways = 5;
+  return column % config_.ground_every_columns != 0 && column > kAlways && column < columns - kAlways;
+}
+
+void FeaturesStage::load_ring(Sweep& sweep, const FeatureImage& image, int ring) noexcept {
+  const std::int32_t* row = image.cells.row(ring);
   const auto min_range_m = static_cast<float>(config_.min_range_m);
   ring_.size = 0;
-  for (std::uint32_t column = 0; column < sweep.header.num_columns; ++column) {
+  for (int column = 0; column < image.columns; ++column) {
     if (row[column] == RangeImage::kEmpty) continue;
     const auto i = static_cast<std::uint32_t>(row[column]);
-    if (sweep.cluster[i] == kClutter) continue;
+    if (sweep.cluster[i] == kClutter) {
+      const int every = config_.outlier_every_columns;
+      if (every > 0 && column % every == 0 && ring > config_.outliers_above_row)
+        sweep.features.outliers.push_back(i);
+      continue;
+    }
+    if (image.ground[i] == kGround && is_left_out(column, image.columns)) continue;
     const float range_m =
         std::sqrt(sweep.x_m[i] * sweep.x_m[i] + sweep.y_m[i] * sweep.y_m[i] + sweep.z_m[i] * sweep.z_m[i]);
     if (!(range_m >= min_range_m)) continue;
     const std::size_t n = ring_.size++;
     ring_.index[n] = i;
-    ring_.column[n] = static_cast<std::int32_t>(column);
+    ring_.column[n] = column;
     ring_.range_m[n] = range_m;
-    ring_.is_ground[n] = sweep.ground[i];
+    ring_.is_ground[n] = image.ground[i];
   }
   std::fill_n(is_edge_.data(), ring_.size, std::uint8_t{0});
 }
@@ -58,7 +78,8 @@ void FeaturesStage::select(Sweep& sweep) noexcept {
     const std::size_t end = first + length * (s + 1) / sectors;
     select_edges(sweep.features, begin, end);
     select_planars(sweep.features, begin, end, kGround);
-    select_planars(sweep.features, begin, end, kNonGround);
+    if (config_.planar_source == PlanarSource::kBoth) select_planars(sweep.features, begin, end, kNonGround);
+    if (config_.planars_per_sector > 0) select_targets(sweep.features, begin, end);
   }
 }
 
@@ -105,12 +126,28 @@ void FeaturesStage::select_planars(FeatureLists& lists,
   }
 }
 
+// The flattest that are no edge, neighbours or not.
+void FeaturesStage::select_targets(FeatureLists& lists, std::size_t begin, std::size_t end) noexcept {
+  candidates_.clear();
+  const auto threshold = static_cast<float>(config_.planar_threshold);
+  for (std::size_t i = begin; i < end; ++i)
+    if (is_edge_[i] == 0 && ring_.smoothness[i] < threshold)
+      candidates_.push_back(static_cast<std::uint32_t>(i));
+  std::sort(candidates_.begin(), candidates_.end(), [&](std::uint32_t a, std::uint32_t b) {
+    return ring_.smoothness[a] != ring_.smoothness[b] ? ring_.smoothness[a] < ring_.smoothness[b] : a < b;
+  });
+  const auto wanted = std::min(candidates_.size(), static_cast<std::size_t>(config_.planars_per_sector));
+  for (std::size_t n = 0; n < wanted; ++n) lists.planars.push_back(ring_.index[candidates_[n]]);
+}
+
 // All that is no edge, thinned: what later sweeps find planes in.
-void FeaturesStage::keep_targets(Sweep& sweep) noexcept {
-  const SpacingSampler sampler(config_.planar_spacing_m, sweep.header.num_columns,
+void FeaturesStage::keep_targets(Sweep& sweep, int columns) noexcept {
+  const bool keeps_all = config_.planar_spacing_m <= 0.0;
+  const SpacingSampler sampler(keeps_all ? 1.0 : config_.planar_spacing_m,
+                               static_cast<std::uint32_t>(columns),
                                static_cast<std::uint32_t>(sweep.header.sequence));
   for (std::size_t n = 0; n < ring_.size; ++n) {
-    if (is_edge_[n] == 0 && sampler.keeps(ring_.index[n], ring_.range_m[n] * ring_.range_m[n]))
+    if (is_edge_[n] == 0 && (keeps_all || sampler.keeps(ring_.index[n], ring_.range_m[n] * ring_.range_m[n])))
       sweep.features.planars.push_back(ring_.index[n]);
   }
 }

@@ -25,13 +25,26 @@ constexpr std::size_t kLeastMatches = 6;
 Vector6d twist_of(const Eigen::Isometry3d& T_last_this, const MotionGuess& guess) noexcept {
   if (guess.period_s <= 0.0) return Vector6d::Zero();
   if (guess.twist) return *guess.twist;
-  return log_se3(T_last_this) / guess.period_s;
+  const Vector6d since_last = log_se3(T_last_this) / guess.period_s;
+  return guess.acceleration ? since_last + 0.5 * guess.period_s * *guess.acceleration : since_last;
+}
+
+bool finds_bend(const MotionGuess& guess) noexcept {
+  return guess.acceleration && guess.period_s > 0.0;
+}
+
+/// How well the velocity within a sweep is known from the last motions.
+Matrix6d bend_information(const MappingConfig& config) noexcept {
+  Vector6d sigma;
+  sigma.head<3>().setConstant(config.twist_sigma_m_s);
+  sigma.tail<3>().setConstant(config.twist_sigma_rad_s);
+  return sigma.cwiseAbs2().cwiseInverse().asDiagonal();
 }
 
 }  // namespace
 
 JointRegistration::JointRegistration(const MappingConfig& config, std::size_t max_points)
-    : config_(config), rows_(max_points), magnitudes_(max_points) {}
+    : config_(config), rows_(max_points), before_s_(max_points), magnitudes_(max_points) {}
 
 JointResult JointRegistration::align(CellMap& map,
                                      const PointCloud& points,
@@ -41,8 +54,9 @@ JointResult JointRegistration::align(CellMap& map,
   JointResult result;
   result.offered = static_cast<std::uint32_t>((points.size + limits.stride - 1) / limits.stride);
   result.T_last_this = limits.T_first.value_or(guess.T_last_this);
+  Vector6d bend = Vector6d::Zero();
   while (true) {
-    result.twist = twist_of(result.T_last_this, guess);
+    result.twist = twist_of(result.T_last_this, guess) + bend;
     match(map, points, guess.T_map_last * result.T_last_this, result.twist, limits);
     weigh(limits.kernel_min_m);
     NormalEquations sum;
@@ -56,9 +70,23 @@ JointResult JointRegistration::align(CellMap& map,
     if (rows_.size() < kLeastMatches) break;
 
     const Vector6d off = difference(guess.T_last_this, result.T_last_this);
-    const Vector6d step = solve_semidefinite(sum.H + guess.information + result.weak.penalty,
-                                             -(sum.b + guess.information * off));
+    Matrix6d H = sum.H + guess.information + result.weak.penalty;
+    Vector6d b = sum.b + guess.information * off;
+    BendEquations bends;
+    Matrix6d per_motion = Matrix6d::Zero();
+    Vector6d bend_step = Vector6d::Zero();
+    if (finds_bend(guess)) {  // eliminated: what is left are the equations of the motion
+      add_bend(bends);
+      const Matrix6d inverse = inverse_of(bends.bend_bend + bend_information(config_));
+      per_motion = -inverse * bends.motion_bend;
+      bend_step = -inverse * (bends.b + bend_information(config_) * bend);
+      H += bends.motion_bend * per_motion;
+      b += bends.motion_bend * bend_step;
+      result.information += bends.motion_bend * per_motion;
+    }
+    const Vector6d step = solve_semidefinite(H, -b);
     if (!step.allFinite()) break;
+    bend += bend_step + per_motion * step;
     result.T_last_this = perturb(result.T_last_this, step);
     if (step.head<3>().norm() < config_.stop_translation_m &&
         step.tail<3>().norm() < config_.stop_rotation_rad)
@@ -68,7 +96,7 @@ JointResult JointRegistration::align(CellMap& map,
     if (result.is_cut) break;
   }
   result.T_last_this = orthonormalized(result.T_last_this);
-  result.twist = twist_of(result.T_last_this, guess);
+  result.twist = twist_of(result.T_last_this, guess) + bend;
   measure(result);
   return result;
 }
@@ -85,6 +113,7 @@ void JointRegistration::match(CellMap& map,
   const auto gate_m = static_cast<float>(limits.gate_m);
   const auto sigma_sq = static_cast<float>(config_.point_sigma_m * config_.point_sigma_m);
   rows_.clear();
+  before_s_.clear();
   for (std::size_t i = 0; i < points.size; i += limits.stride) {
     const Eigen::Vector3f p = to_reference(points.point(i), points.before_s[i]);
     Eigen::Vector3f offset;
@@ -94,6 +123,7 @@ void JointRegistration::match(CellMap& map,
     if (!(std::abs(residual) < gate_m)) continue;
     rows_.push_back(
         registration::plane_row(p, R_this_map * plane->axis, residual, sigma_sq + plane->thickness_m2));
+    before_s_.push_back(points.before_s[i]);
   }
 }
 
@@ -103,6 +133,18 @@ void JointRegistration::weigh(double kernel_min_m) noexcept {
   const float width = registration::kernel_width<float>({magnitudes_.begin(), magnitudes_.size()},
                                                         static_cast<float>(kernel_min_m));
   for (Row& row : rows_) row.kernel_weight = registration::geman_mcclure(row.residual_m, width);
+}
+
+void JointRegistration::add_bend(BendEquations& sum) const noexcept {
+  for (std::size_t i = 0; i < rows_.size(); ++i) {
+    const Row& row = rows_.view()[i];
+    const Vector6d J = row.J.cast<double>();
+    const auto s = static_cast<double>(before_s_.view()[i]);
+    const auto w = static_cast<double>(row.kernel_weight / row.variance_m2);
+    sum.motion_bend.noalias() -= (s * w * J) * J.transpose();
+    sum.bend_bend.noalias() += (s * s * w * J) * J.transpose();
+    sum.b.noalias() -= (s * w * static_cast<double>(row.residual_m)) * J;
+  }
 }
 
 // With a fixed kernel: the one used for solving widens with the misfit, and so would praise a bad fit.

@@ -83,14 +83,15 @@ void MappingStage::reset() noexcept {
   refined_ = {};
   T_odom_map_.setIdentity();
   T_map_reference_.setIdentity();
-  refined_.twist.setZero(), refined_.acceleration.setZero();
+  refined_.twist.setZero();
+  forget_changes();
   is_placed_ = is_elsewhere_ = false;
   predicted_in_a_row_ = unconfirmed_ = inserted_standing_ = 0;
 }
 
 void MappingStage::update(Sweep&) noexcept {
   if (!is_inserted_) return;
-  insert_points(map_points_, refined_.twist, T_map_reference_, map_);
+  insert_points(map_points_, twist_, T_map_reference_, map_);
   map_.prune(T_map_reference_.translation(), config_.cells.radius_m, map_.num_slots() / kPruningRound_sweeps);
 }
 
@@ -108,7 +109,8 @@ void MappingStage::start(Sweep& sweep) noexcept {
   T_map_start_ = T_map_reference_;
   phase_ = Phase::kSearching;
   since_searched_s_ = 0.0;
-  refined_.twist.setZero(), refined_.acceleration.setZero();
+  refined_.twist.setZero();
+  forget_changes();
   estimate.health = refined_.is_placed ? Health::kLost : Health::kInit;
   estimate.reason = refined_.is_placed ? HealthReason::kMapRestarted : HealthReason::kFirstSweep;
   estimate.covariance = inverse_of(registration::predicted_information(1.0, 0));
@@ -184,24 +186,34 @@ void MappingStage::track(const ScanMotion& motion, Sweep& sweep) noexcept {
   adopt(motion, guess, result, is_measured(reason));
   state(motion, guess, result, reason, sweep.estimate);
   const int patience = is_elsewhere_ ? kPatienceElsewhere : config_.trust.restart_after;
-  if (trust_.failures() >= patience) restart(motion, sweep.estimate);
+  if (trust_.failures() >= patience) restart(!guess.is_carried, sweep.estimate);
   if (sweep.header.has(kIncomplete) && sweep.estimate.reason == HealthReason::kNone) {
     sweep.estimate.health = Health::kDegraded;
     sweep.estimate.reason = HealthReason::kIncompleteSweep;
   }
 }
 
+// Two opinions on the motion since the last sweep, each by its own information: what scan-to-scan has found,
+// and that it has not changed much. On a bare highway either alone is off by decimetres.
 MotionGuess MappingStage::guess_of(const ScanMotion& motion) const noexcept {
   MotionGuess guess;
   guess.T_map_last = T_map_reference_;
   guess.period_s = motion.is_compensated ? 0.0 : motion.period_s;
-  if (motion.is_registered && motion.period_s <= kGap_s && !motion.is_time_lost) {
-    guess.T_last_this = motion.T_last_this;
-    guess.information = config_.prior_weight * motion.information;
-  } else {
-    guess.T_last_this =
-        exp_se3(refined_.twist * std::min(motion.period_s, registration::kLongestPrediction_s));
-  }
+  guess.T_last_this = exp_se3(refined_.twist * std::min(motion.period_s, registration::kLongestPrediction_s));
+  guess.is_carried = true;
+  if (motion.period_s > kGap_s || motion.is_time_lost) return guess;
+  guess.acceleration = acceleration_;
+  guess.information = registration::predicted_information(motion.period_s, unconfirmed_);
+  const bool is_credible = !config_.refine || registration::may_follow(motion.T_last_this, refined_.twist,
+                                                                       motion.period_s, unconfirmed_);
+  if (!motion.is_registered || !is_credible) return guess;
+  guess.is_carried = false;
+  const Matrix6d carried = guess.information;
+  const Vector6d off = difference(motion.T_last_this, guess.T_last_this);
+  guess.information += config_.prior_weight * motion.information;
+  guess.T_last_this = config_.refine
+                          ? perturb(motion.T_last_this, inverse_of(guess.information) * carried * off)
+                          : motion.T_last_this;
   return guess;
 }
 
@@ -216,45 +228,59 @@ void MappingStage::adopt(const ScanMotion& motion,
   } else {
     standstill_.reset();
   }
-  if (usable || motion.is_registered)
+  const bool is_told = usable || !guess.is_carried;
+  if (usable && !motion.is_compensated)
+    move_to(T_map_this, motion.period_s, result.twist);
+  else if (is_told)
     move_to(T_map_this, motion.period_s);
   else
-    T_map_reference_ = orthonormalized(T_map_this), refined_.acceleration.setZero();
+    T_map_reference_ = orthonormalized(T_map_this), forget_changes();
   if (usable) {
     trust_.accept(result);
   } else {
     trust_.reject();
   }
-  predicted_in_a_row_ = usable || motion.is_registered ? 0 : predicted_in_a_row_ + 1;
+  predicted_in_a_row_ = is_told ? 0 : predicted_in_a_row_ + 1;
   unconfirmed_ = usable && result.weak.count == 0 ? 0 : unconfirmed_ + 1;
   inserted_standing_ = standstill_.is_standing() ? inserted_standing_ + 1 : 0;
   is_inserted_ = usable && inserted_standing_ <= kMostInsertedStanding;
 }
 
-// The acceleration is that of the last few sweeps: where a sweep is reported at its end, one that lags costs
-// more than its noise does.
-void MappingStage::move_to(const Eigen::Isometry3d& T_map_this, double period_s) noexcept {
-  constexpr double kSmoothing = 0.7;
-  Vector6d twist = log_se3(T_map_reference_.inverse() * T_map_this) / period_s;
-  if (standstill_.is_still()) twist.setZero(), refined_.acceleration.setZero();
+// What is known of the velocity at the reference instant is handed on so that it holds where it is needed:
+// half way to the end of the sweep. The acceleration is that of the last few sweeps.
+void MappingStage::move_to(const Eigen::Isometry3d& T_map_this,
+                           double period_s,
+                           const std::optional<Vector6d>& twist) noexcept {
+  constexpr double kSmoothing = 0.7, kHalfToEnd = 0.25;
+  const Vector6d since_last = log_se3(T_map_reference_.inverse() * T_map_this) / period_s;
   if (phase_ == Phase::kTracking)
-    refined_.acceleration += kSmoothing * ((twist - refined_.twist) / period_s - refined_.acceleration);
-  refined_.twist = twist;
+    acceleration_ += kSmoothing * ((since_last - refined_.twist) / period_s - acceleration_);
+  refined_.twist = since_last;
   refined_.period_s = std::min(period_s, kGap_s);
+  twist_ = twist.value_or(refined_.twist + 0.5 * refined_.period_s * acceleration_);
+  const double ahead_s = kHalfToEnd * refined_.period_s;
+  refined_.acceleration =
+      (twist_ + ahead_s * acceleration_ - refined_.twist) / (0.5 * refined_.period_s + ahead_s);
+  if (standstill_.is_still()) refined_.twist.setZero(), forget_changes();
   T_map_reference_ = orthonormalized(T_map_this);
+}
+
+void MappingStage::forget_changes() noexcept {
+  acceleration_.setZero(), refined_.acceleration.setZero();
+  twist_ = refined_.twist;
 }
 
 // Nothing of the old map fits any more. Where scan-to-scan still tells the motion, the new one goes on from
 // here; else it begins as at the very start.
-void MappingStage::restart(const ScanMotion& motion, Estimate& estimate) noexcept {
+void MappingStage::restart(bool is_told, Estimate& estimate) noexcept {
   map_.clear();
   trust_.restart();
   standstill_.reset();
   is_elsewhere_ = false;
   estimate.health = Health::kLost;
   estimate.reason = HealthReason::kMapRestarted;
-  is_inserted_ = motion.is_registered;
-  if (!motion.is_registered) {
+  is_inserted_ = is_told;
+  if (!is_told) {
     phase_ = Phase::kEmpty;
     refined_.has_motion = false;
   }
@@ -273,9 +299,10 @@ void MappingStage::state(const ScanMotion& motion,
   estimate.map_rms_m = static_cast<float>(result.rms_m);
   estimate.map_score = static_cast<float>(result.score);
 
-  Matrix6d information = registration::predicted_information(motion.period_s, unconfirmed_);
+  const bool has_opinion = !guess.information.isZero();
+  Matrix6d information =
+      has_opinion ? guess.information : registration::predicted_information(motion.period_s, unconfirmed_);
   if (is_measured(reason)) information += result.weak.without(result.information);
-  information += guess.information;
   estimate.covariance = inverse_of(information);
 
   if (reason == HealthReason::kNone && is_unknown(motion)) reason = HealthReason::kTimeGap;

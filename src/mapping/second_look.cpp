@@ -33,6 +33,7 @@ JointResult MappingStage::relocalise(const MotionGuess& guess) noexcept {
   MotionGuess seed = guess;
   seed.information.setZero();
   seed.twist = refined_.twist;
+  seed.acceleration.reset();
   JointResult best;
   for (const double turn_deg : kTurns_deg) {
     for (int step = -steps; step <= steps; ++step) {

@@ -27,7 +27,8 @@ HealthReason Trust::judge(const JointResult& result,
     return HealthReason::kImplausibleMotion;
   const Vector6d twist = log_se3(result.T_last_this) / period_s;
   const double acceleration_m_s2 = (twist - last_twist).head<3>().norm() / period_s;
-  if (failures_ == 0 && acceleration_m_s2 > c.max_acceleration_m_s2) return HealthReason::kImplausibleMotion;
+  // A place that has gone astray under an unknown acceleration does so with the square of the time.
+  if (acceleration_m_s2 > leeway * leeway * c.max_acceleration_m_s2) return HealthReason::kImplausibleMotion;
   return result.weak.count > 0 ? HealthReason::kNotObservable : HealthReason::kNone;
 }
 

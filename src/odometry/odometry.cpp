@@ -44,7 +44,9 @@ OdometryStage::OdometryStage(const OdometryConfig& config,
       registration_(config, kMaxSources),
       sources_(kMaxSources),
       raw_targets_(max_returns),
-      targets_(config, max_returns) {}
+      targets_(config, max_returns) {
+  if (config.registration == Registration::kLoam) loam_ = std::make_unique<LoamRegistration>(config);
+}
 
 void OdometryStage::reset() noexcept {
   has_last_ = has_motion_ = false;
@@ -76,8 +78,13 @@ void OdometryStage::update(Sweep& sweep) noexcept {
     twist_ = refined_.twist;
     has_motion_ = refined_.has_motion;
   }
-  load(raw_targets_, sweep, sweep.features.edges, sweep.features.planars);
-  targets_.build(raw_targets_, sweep.motion.is_compensated || !config_.deskew ? Vector6d::Zero() : twist_);
+  const Vector6d twist = sweep.motion.is_compensated || !config_.deskew ? Vector6d::Zero() : twist_;
+  if (loam_) {
+    loam_->set_targets(sweep, twist);
+  } else {
+    load(raw_targets_, sweep, sweep.features.edges, sweep.features.planars);
+    targets_.build(raw_targets_, twist);
+  }
   last_ = sweep.motion;
   has_last_ = true;
 }
@@ -112,9 +119,9 @@ void OdometryStage::follow_start(ScanMotion& motion) noexcept {
 void OdometryStage::advance(Sweep& sweep) noexcept {
   ScanMotion& motion = sweep.motion;
   const double carried_s = std::min(motion.period_s, registration::kLongestPrediction_s);
+  if (has_slipped()) twist_ = refined_.twist;
   const Eigen::Isometry3d T_predicted = exp_se3(twist_ * carried_s);
-  const RegistrationResult result =
-      registration_.align(sources_, targets_, T_predicted, motion.is_compensated ? 0.0 : motion.period_s);
+  const RegistrationResult result = align(motion, T_predicted);
   const HealthReason reason = judge(result, T_predicted);
 
   motion.is_registered = is_measured(reason);
@@ -129,6 +136,21 @@ void OdometryStage::advance(Sweep& sweep) noexcept {
     sweep.estimate.health = Health::kDegraded;
     sweep.estimate.reason = HealthReason::kIncompleteSweep;
   }
+}
+
+// Where there are grass and hedges only, the last sweep's scan lines are what fits best: no motion. The map,
+// made of many sweeps, knows better. LeGO-LOAM's front end is not told what its map knows.
+bool OdometryStage::has_slipped() const noexcept {
+  if (loam_ || !refined_.has_motion || refined_.period_s <= 0.0) return false;
+  const Eigen::Isometry3d T_own = exp_se3(twist_ * refined_.period_s);
+  return predicted_in_a_row_ > 0 || !registration::may_follow(T_own, refined_.twist, refined_.period_s, 0);
+}
+
+RegistrationResult OdometryStage::align(const ScanMotion& motion,
+                                        const Eigen::Isometry3d& T_predicted) noexcept {
+  const double period_s = motion.is_compensated ? 0.0 : motion.period_s;
+  if (loam_) return loam_->align(sources_, T_predicted, period_s);
+  return registration_.align(sources_, targets_, T_predicted, period_s);
 }
 
 HealthReason OdometryStage::judge(const RegistrationResult& result,

@@ -10,7 +10,7 @@
 #include "pago/core/error.hpp"
 #include "pago/features/features.hpp"
 #include "pago/ground/ground_stage.hpp"
-#include "pago/mapping/mapping.hpp"
+#include "pago/mapping/mapper.hpp"
 #include "pago/odometry/odometry.hpp"
 
 namespace pago {
@@ -85,7 +85,7 @@ struct Odometry::Parts {
   ScanOrganizer organizer;
   ground::GroundStage segmenter;
   features::FeaturesStage extractor;
-  mapping::MappingStage mapper;
+  mapping::Mapper mapper;
   odometry::OdometryStage odometer;
 
   std::uint64_t sequence = 0;  // of the next scan

@@ -14,7 +14,7 @@
 #include "pago/core/seqlock.hpp"
 #include "pago/features/features.hpp"
 #include "pago/ground/ground_stage.hpp"
-#include "pago/mapping/mapping.hpp"
+#include "pago/mapping/mapper.hpp"
 #include "pago/odometry/odometry.hpp"
 #include "pago/pipeline/timed.hpp"
 #include "pago/platform/thread.hpp"
@@ -169,7 +169,7 @@ struct Pipeline::Parts {
   SweepRing ring;
   ground::GroundStage segmenter;
   features::FeaturesStage extractor;
-  mapping::MappingStage mapper;
+  mapping::Mapper mapper;
   odometry::OdometryStage odometer;
   output::PoseMaker pose_maker;
   std::optional<output::PoseBoard> board;  // live
@@ -233,6 +233,7 @@ void note(RunSummary& summary, const PacketSource& source, const PacketIngest& i
   summary.sweeps.dropped[static_cast<std::size_t>(SweepDrop::kNoFreeSweep)] = sweeps.no_free_sweep;
   summary.incomplete_sweeps = sweeps.incomplete;
   summary.sensor = hdl64::name(ingest.sensor());
+  summary.said = ingest.status().status();
   summary.clock_restarts = ingest.clock_restarts();
   summary.self_hits = ingest.self_hits();
 }
@@ -281,6 +282,7 @@ RunSummary Pipeline::run(SweepSource& source, Observer& observer, const std::ato
         bool goes_on = true;
         while ((goes_on = p.goes_on(stop))) {
           Sweep* sweep = p.exchange.acquire();
+          sweep->clear_stale_columns();
           if (!source.fill(*sweep)) break;
           ++summary.sweeps.opened;
           summary.incomplete_sweeps += sweep->header.has(kIncomplete) ? 1U : 0U;

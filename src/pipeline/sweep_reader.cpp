@@ -77,6 +77,7 @@ class SweepReader::Scans final : public Input {
   Sweep* next() override {
     if (given_ != nullptr) ring_.release(given_);
     given_ = ring_.try_acquire();
+    given_->clear_stale_columns();
     return source_.fill(*given_) ? given_ : nullptr;
   }
   std::string failure() const override { return source_.complaint(); }

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "pago/core/se3.hpp"
+
 namespace pago::registration {
 
 Matrix6d predicted_information(double period_s, int unconfirmed) noexcept {
@@ -16,6 +18,15 @@ Matrix6d predicted_information(double period_s, int unconfirmed) noexcept {
   diagonal.tail<3>().setConstant(1.0 /
                                  (kTurnAcceleration_rad_s2 * kTurnAcceleration_rad_s2 * variance_factor));
   return diagonal.asDiagonal();
+}
+
+bool may_follow(const Eigen::Isometry3d& T_last_this,
+                const Vector6d& twist,
+                double period_s,
+                int unconfirmed) noexcept {
+  constexpr double kDeviations = 6.0;
+  const Vector6d off = difference(exp_se3(twist * period_s), T_last_this);
+  return off.dot(predicted_information(period_s, unconfirmed) * off) <= kDeviations * kDeviations;
 }
 
 }  // namespace pago::registration

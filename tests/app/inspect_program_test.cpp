@@ -101,6 +101,10 @@ TEST_CASE("without a file a run uses the calibration that the sensor sends", "[a
   CHECK(says(run, "the sensor's own, from its status bytes"));
   const auto report = nlohmann::json::parse(read_text(folder.street.path() / "results/latest/run.json"));
   CHECK(report["facts"]["calibration"] == "sensor");
+  CHECK(report["facts"]["firmware"] == "4.07");
+  CHECK(report["facts"]["sensor temperature"] == "31 C");
+  CHECK(report["facts"]["sensor warning"] == "clean the lens");
+  CHECK(run.err.find("the sensor says: clean the lens") != std::string::npos);
   require_one_line_and_code_2(folder.run("run street.pcap --calibration sensor"), "does not send its own");
 }
 
@@ -118,6 +122,34 @@ TEST_CASE("inspect looks at a part of a capture, and says when nothing is there"
   require_one_line_and_code_2(folder.run("inspect missing.pcap"), "missing.pcap");
 }
 
+TEST_CASE("a capture of another port is told, with what it holds", "[app][inspect]") {
+  const InspectFolder folder;
+  const PacketStream stream;
+  {
+    PcapWriter writer(folder.street.path() / "other.pcap");
+    for (int i = 0; i < 100; ++i)
+      writer.write_udp(stream.packet(i), stream.arrival_ns(i), {.destination_port = 2369});
+    const PcapWriter empty(folder.street.path() / "empty.pcap");
+  }
+  const Outcome screen = folder.run("inspect other.pcap");
+  INFO(screen.out << screen.err);
+  CHECK(screen.exit_code == 2);
+  CHECK(says(screen, "192.168.3.43:443 to port 2369: 100 datagrams, HDL-64E in single-return mode"));
+  CHECK(screen.err.find("packets.port") != std::string::npos);
+  CHECK(folder.run("inspect other.pcap --set packets.port=2369").exit_code == 0);
+  require_one_line_and_code_2(folder.run("run other.pcap --calibration calibration.yaml"),
+                              "HDL-64E in single-return mode from 192.168.3.43 to port 2369");
+  CHECK(folder.run("inspect empty.pcap").err.find("holds no UDP datagram") != std::string::npos);
+}
+
+TEST_CASE("inspect of a live sensor that does not send says what to look at", "[app][inspect]") {
+  const InspectFolder folder;
+  const Outcome outcome = folder.run("inspect udp://127.0.0.1:0 --duration 0.2");
+  INFO(outcome.out << outcome.err);
+  CHECK(outcome.exit_code == 2);
+  CHECK(outcome.err.find("is the sensor on and cabled") != std::string::npos);
+}
+
 TEST_CASE("inspect names other sensors", "[app][inspect]") {
   PAGO_DATA_OR_SKIP(captures, "packets/captures");
   const TemporaryPath folder("");
@@ -127,4 +159,5 @@ TEST_CASE("inspect names other sensors", "[app][inspect]") {
   INFO(other.out << other.err);
   CHECK(other.exit_code == 2);
   CHECK(says(other, "HDL-32E"));
+  CHECK_FALSE(says(other, "(used)"));
 }

@@ -26,7 +26,7 @@ inline void require_one_cell_per_return(const Sweep& sweep, bool has_echoes = fa
       ++misplaced;
   }
   for (int ring = 0; ring < kNumRings; ++ring)
-    for (int column = -kColumnMargin; column < columns + kColumnMargin; ++column)
+    for (int column = -kColumnMargin; column < kMaxColumns + kColumnMargin; ++column)
       taken += sweep.range_image.at(ring, column) != RangeImage::kEmpty ? 1U : 0U;
   REQUIRE(misplaced == 0);
   REQUIRE(taken == expected);

@@ -68,6 +68,31 @@ TEST_CASE("a return mode that is switched while the sensor runs costs two sweeps
   check(single_return_s3(), single_return());
 }
 
+TEST_CASE("single returns after dual ones are no echoes", "[assembly][changes]") {
+  const StreamSettings first{.raw = 3000, .format = dual_return(), .second_raw = 5000};
+  StreamSettings second{.azimuth_deg = 250.0, .format = single_return_s3()};
+  const int switched = 3000;
+  second.stamp_us += static_cast<std::uint32_t>(switched * first.format.packet_period_ns() / 1000);
+  second.arrival_ns += switched * first.format.packet_period_ns();
+  Rig rig;
+  rig.collector.allows_echoes = true;
+  std::uint32_t echoes = 0, of_last = 0;
+  rig.collector.on_part = [&](const SweepPart& part) {
+    const auto* const begin = part.sweep->echo.begin();
+    of_last = static_cast<std::uint32_t>(
+        std::count_if(begin, begin + part.sweep->size, [](std::uint8_t echo) { return echo != 0; }));
+    echoes += of_last;
+  };
+  rig.push(PacketStream(first), 0, switched);
+  CHECK(echoes > 100'000);
+  rig.push(PacketStream(second), 0, 2000);
+  CHECK(rig.ingest.format() == second.format);
+  for (int packet = 2000; packet < 4000; packet += 400) {
+    rig.push(PacketStream(second), packet, packet + 400);
+    CHECK(of_last == 0);
+  }
+}
+
 TEST_CASE("a speed that changes from 5 to 20 Hz and back is followed sweep by sweep", "[assembly][changes]") {
   // Up and down by 3 Hz per second, at rest at neither end.
   StreamSettings settings{.azimuth_deg = 181.0};

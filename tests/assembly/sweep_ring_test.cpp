@@ -34,7 +34,7 @@ TEST_CASE("sweeps go round in order", "[assembly][sweep_ring]") {
   CHECK(ring.in_flight() == 2);
 }
 
-TEST_CASE("a sweep comes out of the ring empty", "[assembly][sweep_ring]") {
+TEST_CASE("a sweep comes out of the ring empty, but for the columns that it says", "[assembly][sweep_ring]") {
   SweepRing ring(1, 64);
   Sweep* sweep = ring.try_acquire();
   sweep->size = 7;
@@ -48,6 +48,12 @@ TEST_CASE("a sweep comes out of the ring empty", "[assembly][sweep_ring]") {
   CHECK(sweep->size == 0);
   CHECK(sweep->header.num_columns == 0);
   CHECK(sweep->header.flags == 0);
+  CHECK(sweep->stale_columns == 2000);
+  ring.release(sweep);
+  CHECK(ring.try_acquire() == sweep);  // it was never filled
+  CHECK(sweep->stale_columns == 2000);
+  sweep->clear_stale_columns();
+  CHECK(sweep->stale_columns == 0);
   int taken = 0;
   for (int ring_index = 0; ring_index < kNumRings; ++ring_index)
     for (int column = -kColumnMargin; column < kMaxColumns + kColumnMargin; ++column)

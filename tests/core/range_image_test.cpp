@@ -44,6 +44,19 @@ TEST_CASE("clearing empties the used columns and both margins beside them", "[co
   }
 }
 
+TEST_CASE("a part of a ring is emptied, and nothing beside it", "[core][range_image]") {
+  RangeImage image;
+  for (int ring = 0; ring < pago::kNumRings; ++ring)
+    for (int column = -pago::kColumnMargin; column < pago::kMaxColumns + pago::kColumnMargin; ++column)
+      image.at(ring, column) = 1;
+  image.clear(7, -pago::kColumnMargin, 20);
+  image.clear(7, 30, 30);
+  image.clear(7, 50, 40);
+  for (int ring = 0; ring < pago::kNumRings; ++ring)
+    for (int column = -pago::kColumnMargin; column < pago::kMaxColumns + pago::kColumnMargin; ++column)
+      REQUIRE((image.at(ring, column) == RangeImage::kEmpty) == (ring == 7 && column < 20));
+}
+
 TEST_CASE("the cells of one column spread over the first-level cache", "[core][range_image]") {
   // 64 sets of 64 bytes: an odd stride in cache lines gives each of the 64 rings another set.
   RangeImage image;

@@ -43,6 +43,25 @@ TEST_CASE("a sweep that was reset is as good as new and has kept its memory", "[
   CHECK(sweep.estimate.health == Health::kInit);
   CHECK(sweep.time_of(StageId::kGround).end_ns == 0);
   CHECK(sweep.x_m.data() == memory);
+  CHECK(sweep.stale_columns == 0);
+}
+
+TEST_CASE("a recycled sweep is empty, and says which columns of its range image are not", "[core][sweep]") {
+  Sweep sweep(100);
+  sweep.header.num_columns = 2083;
+  sweep.size = 50;
+  sweep.range_image.at(63, 2082) = 49;
+  sweep.recycle();
+  CHECK(sweep.header.num_columns == 0);
+  CHECK(sweep.size == 0);
+  CHECK(sweep.stale_columns == 2083);
+  CHECK(sweep.range_image.at(63, 2082) == 49);
+  sweep.header.num_columns = 1000;  // filled with less, and nobody emptied the rest
+  sweep.recycle();
+  CHECK(sweep.stale_columns == 2083);
+  sweep.reset();
+  CHECK(sweep.stale_columns == 0);
+  CHECK(sweep.range_image.at(63, 2082) == RangeImage::kEmpty);
 }
 
 TEST_CASE("partial and superseded sweeps get no pose, incomplete ones do", "[core][sweep]") {

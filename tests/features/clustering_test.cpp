@@ -15,7 +15,11 @@ using namespace pago::features;
 namespace {
 
 /// Plain flood fill with the angle computed as the paper writes it: the oracle for the union-find.
-std::vector<int> flood_fill(const Sweep& sweep, double join_angle_deg) {
+std::vector<int> flood_fill(const Sweep& sweep, const ClusteringConfig& config) {
+  using Steps = std::vector<std::pair<int, int>>;
+  const Steps steps = config.neighbours == Neighbours::kFour ? Steps{{1, 0}, {-1, 0}, {0, 1}, {0, -1}}
+                                                             : Steps{{1, 1}, {-1, 1}, {1, -1}, {-1, -1}};
+  const double join_angle_deg = config.join_angle_deg;
   const int columns = static_cast<int>(sweep.header.num_columns);
   std::vector<int> component(sweep.size, -1);
   const auto at = [&](int ring, int column) -> std::int32_t {
@@ -44,7 +48,7 @@ std::vector<int> flood_fill(const Sweep& sweep, double join_angle_deg) {
       while (!queue.empty()) {
         const auto [r, c] = queue.front();
         queue.pop();
-        for (const auto& [dr, dc] : {std::pair{1, 0}, {-1, 0}, {0, 1}, {0, -1}}) {
+        for (const auto& [dr, dc] : steps) {
           const std::int32_t there = at(r + dr, c + dc);
           if (there < 0 || component[static_cast<std::size_t>(there)] >= 0 || !joined(at(r, c), there))
             continue;
@@ -65,9 +69,10 @@ TEST_CASE("union-find finds the segments that a flood fill finds", "[features][c
   test::Street().scan(test::street_start(), Vector6d::Zero(), 0, 0.0, sweep);
   ClusteringConfig config;
   config.min_points = 1;
+  config.neighbours = GENERATE(Neighbours::kFour, Neighbours::kDiagonal);
   Clusterer(config, test::kStreetReturns).label(sweep);
 
-  const std::vector<int> expected = flood_fill(sweep, config.join_angle_deg);
+  const std::vector<int> expected = flood_fill(sweep, config);
   std::map<int, int> label_of_component, component_of_label;
   std::size_t disagree = 0, obstacles = 0;
   for (std::uint32_t i = 0; i < sweep.size; ++i) {
@@ -120,6 +125,54 @@ TEST_CASE("a segment that crosses the first column is one segment", "[features][
   }
   Clusterer(ClusteringConfig{}, 100).label(sweep);
   for (std::uint32_t i = 0; i < sweep.size; ++i) REQUIRE(sweep.cluster[i] == 1);
+}
+
+TEST_CASE("across corners a row of returns is no segment, and a surface is two", "[features][clustering]") {
+  Sweep sweep(400);
+  sweep.header.num_columns = 360;
+  const auto add = [&](int ring, int column) {
+    const std::uint32_t i = sweep.size++;
+    const float azimuth = 0.0174533F * static_cast<float>(column), up = 0.0174533F * static_cast<float>(ring);
+    sweep.x_m[i] = 5.0F * std::cos(up) * std::cos(azimuth),
+    sweep.y_m[i] = 5.0F * std::cos(up) * std::sin(azimuth);
+    sweep.z_m[i] = 5.0F * std::sin(up);
+    sweep.range_image.at(ring, column) = static_cast<std::int32_t>(i);
+  };
+  for (int column = 0; column < 40; ++column) add(5, column);
+  for (int ring = 20; ring < 30; ++ring)
+    for (int column = 100; column < 110; ++column) add(ring, column);
+  ClusteringConfig config;
+  config.neighbours = Neighbours::kDiagonal;
+  Clusterer(config, 400).label(sweep);
+  REQUIRE(sweep.cluster[0] == kClutter);
+  REQUIRE(sweep.cluster[40] == 1);  // the white fields of a chessboard
+  REQUIRE(sweep.cluster[41] == 2);  // the black ones
+  Clusterer(ClusteringConfig{}, 400).label(sweep);
+  REQUIRE(sweep.cluster[0] == 1);
+  REQUIRE(sweep.cluster[41] == sweep.cluster[40]);
+}
+
+TEST_CASE("in a grid the angle between beams is the grid's step, not the returns' own",
+          "[features][clustering]") {
+  Sweep sweep(10);
+  sweep.header.num_columns = 360;
+  sweep.size = 2;
+  // Two returns above each other whose beams are 2 degrees apart, in cells that are 0.427 degrees apart.
+  const float up = 0.0349066F, ranges[] = {10.0F, 10.15F};
+  for (std::uint32_t i = 0; i < 2; ++i) {
+    sweep.x_m[i] = ranges[i] * std::cos(up * static_cast<float>(i));
+    sweep.z_m[i] = ranges[i] * std::sin(up * static_cast<float>(i));
+    sweep.range_image.at(static_cast<int>(i) + 3, 7) = static_cast<std::int32_t>(i);
+  }
+  ClusteringConfig config;
+  config.min_points = 2, config.min_points_tall = 2, config.min_rings_tall = 2;
+  Clusterer clusterer(config, 10);
+  clusterer.label(sweep);
+  REQUIRE(sweep.cluster[0] == 1);
+  FeatureImage image = own_image(sweep);
+  image.row_step_rad = 0.00745F;
+  clusterer.label(sweep, image);
+  REQUIRE(sweep.cluster[0] == kClutter);  // atan2(10 sin 0.427, 10.15 - 10 cos 0.427) is 26 degrees
 }
 
 TEST_CASE("an empty sweep has no segments", "[features][clustering]") {

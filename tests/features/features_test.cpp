@@ -89,6 +89,97 @@ TEST_CASE("targets are as many as their spacing along a ring asks for", "[featur
   REQUIRE(static_cast<double>(sweep.features.planars.size()) == Approx(expected).epsilon(0.15));
 }
 
+TEST_CASE("planar points to register come from the ground alone where that is asked for",
+          "[features][stage]") {
+  Sweep sweep = street_sweep(0.01);
+  FeaturesConfig config;
+  config.planar_source = PlanarSource::kGroundOnly;
+  FeaturesStage(config, test::kStreetReturns).finish(sweep);
+  REQUIRE(sweep.features.flat_planars.size() > 100);
+  for (const std::uint32_t i : sweep.features.flat_planars) REQUIRE(sweep.ground[i] == kGround);
+}
+
+TEST_CASE("without spacing all that is no edge is a target, with a quota the flattest are",
+          "[features][stage]") {
+  FeaturesConfig config;
+  config.planar_spacing_m = 0.0;
+  Sweep all = street_sweep(0.01), few = street_sweep(0.01);
+  FeaturesStage(config, test::kStreetReturns).finish(all);
+  std::size_t usable = 0;
+  for (std::uint32_t i = 0; i < all.size; ++i) usable += all.cluster[i] != kClutter ? 1U : 0U;
+  REQUIRE(all.features.planars.size() + all.features.edges.size() == usable);
+  config.planars_per_sector = 80;
+  FeaturesStage(config, test::kStreetReturns).finish(few);
+  REQUIRE(few.features.planars.size() > 10'000);
+  std::array<std::size_t, kNumRings> per_ring{};
+  for (const std::uint32_t i : few.features.planars) ++per_ring[few.ring[i]];
+  for (const std::size_t n : per_ring) REQUIRE(n <= 80 * 6);
+}
+
+TEST_CASE("edges and planars come row by row, and the rows are told", "[features][stage]") {
+  Sweep sweep = street_sweep(0.01);
+  FeaturesConfig config;
+  config.planars_per_sector = GENERATE(0, 80);
+  FeaturesStage(config, test::kStreetReturns).finish(sweep);
+  const FeatureLists& lists = sweep.features;
+  REQUIRE(lists.edge_rows[kNumRings] == lists.edges.size());
+  REQUIRE(lists.planar_rows[kNumRings] == lists.planars.size());
+  for (std::size_t row = 0; row < kNumRings; ++row) {
+    for (std::uint32_t n = lists.edge_rows[row]; n < lists.edge_rows[row + 1]; ++n)
+      REQUIRE(sweep.ring[lists.edges[n]] == row);
+    for (std::uint32_t n = lists.planar_rows[row]; n < lists.planar_rows[row + 1]; ++n)
+      REQUIRE(sweep.ring[lists.planars[n]] == row);
+  }
+}
+
+TEST_CASE("ground can be taken from every fifth column only", "[features][stage]") {
+  FeaturesConfig config;
+  config.planar_spacing_m = 0.0;
+  config.ground_every_columns = 5;
+  Sweep sweep = street_sweep(0.01);
+  FeaturesStage(config, test::kStreetReturns).finish(sweep);
+  std::size_t ground = 0, others = 0;
+  for (const std::uint32_t i : sweep.features.planars) {
+    if (sweep.ground[i] != kGround) others += sweep.column[i] % 5 != 0 ? 1U : 0U;
+    if (sweep.ground[i] != kGround || sweep.column[i] <= 5 || sweep.column[i] >= 1795) continue;
+    ++ground;
+    REQUIRE(sweep.column[i] % 5 == 0);
+  }
+  REQUIRE(ground > 1000);
+  REQUIRE(others > 1000);
+}
+
+TEST_CASE("of segments too small to trust every fifth column of the upper rows is kept apart",
+          "[features][stage]") {
+  FeaturesConfig config;
+  config.clustering.min_points = config.clustering.min_points_tall = 100'000;  // nothing is trusted
+  Sweep none = street_sweep(0.01);
+  FeaturesStage(config, test::kStreetReturns).finish(none);
+  REQUIRE(none.features.outliers.empty());
+  config.outlier_every_columns = 5;
+  config.outliers_above_row = 55;
+  Sweep some = street_sweep(0.01);
+  FeaturesStage(config, test::kStreetReturns).finish(some);
+  REQUIRE(some.features.outliers.size() > 100);
+  for (const std::uint32_t i : some.features.outliers) {
+    REQUIRE(some.cluster[i] == kClutter);
+    REQUIRE(some.column[i] % 5 == 0);
+    REQUIRE(some.ring[i] > 55);
+  }
+}
+
+TEST_CASE("in the uniform grid some returns have no pixel of their own", "[features][stage]") {
+  FeaturesConfig config;
+  config.planar_spacing_m = 0.0;
+  Sweep ring = street_sweep(0.01), uniform = street_sweep(0.01);
+  FeaturesStage(config, test::kStreetReturns).finish(ring);
+  config.projection = Projection::kUniform;
+  config.grid.row_step_deg = 0.5;
+  FeaturesStage(config, test::kStreetReturns).finish(uniform);
+  REQUIRE(uniform.features.planars.size() > 10'000);
+  REQUIRE(10 * uniform.features.planars.size() < 9 * ring.features.planars.size());
+}
+
 TEST_CASE("empty, single-return and all-ground sweeps give no edges", "[features][stage]") {
   FeaturesStage stage(FeaturesConfig{}, test::kStreetReturns);
   Sweep empty(10);

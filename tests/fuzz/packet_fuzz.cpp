@@ -27,7 +27,7 @@ class Sink final : public SweepExchange {
     if (free == is_used_.end()) return nullptr;
     *free = true;
     Sweep& sweep = sweeps()[static_cast<std::size_t>(free - is_used_.begin())];
-    sweep.reset();
+    sweep.recycle();
     return &sweep;
   }
   void hand_on(const SweepPart& part) noexcept override {
@@ -36,10 +36,20 @@ class Sink final : public SweepExchange {
     if (!part.last) return;
     for (std::uint32_t i = 0; i < sweep.size; ++i)
       fuzz::require(sweep.ring[i] < kNumRings && sweep.column[i] < kMaxColumns);
+    // One ring of each sweep, or it would take longer than the rest.
+    check_ring(sweep, static_cast<int>(num_handed_on_++ % kNumRings));
     is_used_[part.sweep == &sweeps()[0] ? 0 : 1] = false;
   }
 
  private:
+  static void check_ring(const Sweep& sweep, int ring) {
+    for (int column = -kColumnMargin; column < kMaxColumns + kColumnMargin; ++column) {
+      const std::int32_t cell = sweep.range_image.at(ring, column);
+      if (cell == RangeImage::kEmpty) continue;
+      const auto i = static_cast<std::uint32_t>(cell);
+      fuzz::require(i < sweep.size && sweep.ring[i] == ring && sweep.column[i] == column);
+    }
+  }
   static std::vector<Sweep>& sweeps() {
     static std::vector<Sweep> both = [] {
       std::vector<Sweep> made;
@@ -49,12 +59,13 @@ class Sink final : public SweepExchange {
     return both;
   }
   std::array<bool, 2> is_used_{};
+  std::uint64_t num_handed_on_ = 0;
 };
 
 /// Carries a program out.
 class Machine {
  public:
-  Machine() : ingest_(small(), {}, {}, sink_) {}
+  Machine() : ingest_(small(), {}, unit(), sink_) {}
 
   void step(std::span<const std::uint8_t, 6> word, std::span<const std::uint8_t> rest) {
     const unsigned a = word[1], b = word[2] + 256U * word[3], c = word[4] + 256U * word[5];
@@ -105,6 +116,19 @@ class Machine {
     return config;
   }
 
+  /// Lasers that look aside, so that columns run into the margins.
+  static const hdl64::Calibration& unit() {
+    static const hdl64::Calibration made = [] {
+      hdl64::Calibration calibration;
+      for (std::size_t i = 0; i < calibration.lasers.size(); ++i) {
+        calibration.lasers[i].vertical_rad = 0.007 * static_cast<double>(i);
+        calibration.lasers[i].rotation_rad = 0.02 * (static_cast<double>(i % 20) - 10.0);
+      }
+      calibration.ring_of_laser = hdl64::rank_rings(calibration.lasers);
+      return calibration;
+    }();
+    return made;
+  }
   void send(int count) {
     for (int i = 0; i < count && sent_ < kMostPackets; ++i) push(packet());
   }

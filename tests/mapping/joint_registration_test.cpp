@@ -64,13 +64,15 @@ struct Room {
 };
 
 struct Case {
-  explicit Case(bool has_ends, double noise_m = 0.01) : room(has_ends) {
+  /// `bend`: how much the velocity in the sweep's middle differs from that since the last sweep.
+  explicit Case(bool has_ends, double noise_m = 0.01, const Vector6d& bend = Vector6d::Zero())
+      : room(has_ends) {
     truth_.head<3>() << 1.0, 0.05, 0.01;
     truth_.tail<3>() << 0.002, -0.003, 0.03;
     room.fill(map);
     guess.T_map_last.translation().z() = 1.7;
     guess.period_s = 0.1;
-    room.see(guess.T_map_last * exp_se3(truth_), truth_ / guess.period_s, noise_m, points);
+    room.see(guess.T_map_last * exp_se3(truth_), truth_ / guess.period_s + bend, noise_m, points);
   }
   JointResult align(const JointLimits& limits = {}, const Budget& budget = kUnlimited) {
     return registration.align(map, points, guess, limits, budget);
@@ -78,6 +80,8 @@ struct Case {
   Vector6d error_of(const JointResult& result) const {
     return log_se3(exp_se3(truth_).inverse() * result.T_last_this);
   }
+
+  Vector6d twist_since_last() const { return truth_ / guess.period_s; }
 
   MappingConfig config;
   Room room;
@@ -103,6 +107,31 @@ TEST_CASE("a sweep distorted by its own motion is placed within millimetres", "[
   REQUIRE(result.weak.count == 0);
   REQUIRE(result.matches > 1500);
   REQUIRE(result.score > 0.8);
+}
+
+TEST_CASE("where the velocity changes it is found within the sweep", "[mapping][joint]") {
+  Vector6d bend;
+  bend << -0.1, 0.02, 0.05, 0.02, 0.04, -0.02;  // a bump, taken while braking
+  Case c(true, 0.01, bend);
+  c.guess.T_last_this.translation().x() = 0.9;
+  const JointResult without = c.align();
+  c.guess.acceleration = Vector6d::Zero();
+  const JointResult with = c.align();
+  const auto off_at_end = [&](const JointResult& result) -> Vector6d {
+    return c.error_of(result) + 0.05 * (result.twist - c.twist_since_last() - bend);
+  };
+  INFO(off_at_end(without).transpose() << " and " << off_at_end(with).transpose());
+  CHECK(off_at_end(with).tail<3>().norm() < 0.3 * off_at_end(without).tail<3>().norm());
+  CHECK(off_at_end(with).head<3>().norm() < 0.004);
+}
+
+TEST_CASE("an acceleration that is expected is taken along", "[mapping][joint]") {
+  Vector6d acceleration = Vector6d::Zero();
+  acceleration[4] = 2.0;
+  Case c(true, 0.01, 0.05 * acceleration);
+  c.guess.T_last_this.translation().x() = 1.0;
+  c.guess.acceleration = acceleration;
+  CHECK(c.align().twist[4] - c.twist_since_last()[4] == Approx(0.1).margin(0.005));
 }
 
 TEST_CASE("compensated points are taken as they are", "[mapping][joint]") {

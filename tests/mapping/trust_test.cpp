@@ -68,11 +68,14 @@ TEST_CASE("gates widen with each failure and close with a success", "[mapping][t
   const JointLimits at_first = trust.limits();
   REQUIRE(judge(trust, good(3.5)) == HealthReason::kImplausibleMotion);
   trust.reject();
+  REQUIRE(judge(trust, good(3.5)) == HealthReason::kImplausibleMotion);  // 350 m/s^2
+  REQUIRE(judge(trust, good(0.5)) == HealthReason::kNone);
+  for (int i = 0; i < 3; ++i) trust.reject();
   REQUIRE(judge(trust, good(3.5)) == HealthReason::kNone);
   REQUIRE(trust.limits().gate_m > at_first.gate_m);
   REQUIRE(trust.limits().kernel_min_m > at_first.kernel_min_m);
   for (int i = 0; i < 50; ++i) trust.reject();
-  REQUIRE(trust.failures() == 51);
+  REQUIRE(trust.failures() == 54);
   REQUIRE(trust.limits().gate_m <= 2.0);
   trust.accept(good());
   REQUIRE(trust.failures() == 0);

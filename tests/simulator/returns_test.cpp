@@ -114,7 +114,7 @@ TEST_CASE("grass stops beams early", "[simulator][returns]") {
     REQUIRE(r.range_m >= 9.5);
     sum += 10.0 - r.range_m;
   }
-  CHECK(sum / 2000 == Approx(0.03 / 0.2).epsilon(0.15));
+  CHECK(sum / 2000 == Approx(0.004 / 0.2).epsilon(0.15));
 }
 
 TEST_CASE("nothing in the beam, nothing returned", "[simulator][returns]") {

@@ -64,7 +64,7 @@ TEST_CASE("the vehicle stays on the ground, and heads where it goes", "[simulato
   const Route city = make_city(3, 400.0);
   const Ground ground(StreetMap(city.streets), GroundStyle{.speed_bumps = 0.5}, 3);
   const auto s = distances_driven(city.way, city.stops_m, Pace{}, kInterval_s, 30.0);
-  const auto poses = drive_over(ground, city.way, s, kInterval_s, 1.0, 3);
+  const auto poses = drive_over(ground, city.way, s, kInterval_s, 25.0, 3);
   REQUIRE(poses.size() == s.size());
   for (std::size_t i = 1; i < poses.size(); ++i) {
     const Eigen::Vector3d p = poses[i].translation();

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "pago/features/features.hpp"
-#include "pago/mapping/mapping.hpp"
+#include "pago/mapping/mapper.hpp"
 #include "pago/odometry/odometry.hpp"
 #include "support/street.hpp"
 
@@ -18,9 +18,11 @@ inline Vector6d forward(double speed_m_s, double yaw_rad_s = 0.0) {
 /// Drives along the street sweep by sweep, and keeps what odometry and mapping, chained as in the pipeline,
 /// say of the last one.
 struct StreetDrive {
-  explicit StreetDrive(const OdometryConfig& odometry_config = {}, const MappingConfig& mapping_config = {})
+  explicit StreetDrive(const OdometryConfig& odometry_config = {},
+                       const MappingConfig& mapping_config = {},
+                       const FeaturesConfig& features_config = {})
       : sweep(kStreetReturns),
-        extract(FeaturesConfig{}, kStreetReturns),
+        extract(features_config, kStreetReturns),
         mapping(mapping_config),
         odometry(odometry_config, kStreetReturns, mapping.refined()) {}
 
@@ -49,7 +51,7 @@ struct StreetDrive {
   Street street;
   Sweep sweep;
   features::FeaturesStage extract;
-  mapping::MappingStage mapping;
+  mapping::Mapper mapping;
   odometry::OdometryStage odometry;
   Eigen::Isometry3d T_world_start = street_start();
   std::int64_t now_ns = 1'000'000'000;

@@ -92,9 +92,10 @@ class Assembler {
   };
   struct Lanes;  // per laser, and the newest columns
 
+  bool is_dual() const noexcept { return room_ > hdl64::kLasers; }
   std::int64_t steps_after_last(std::int64_t time_ns) const noexcept;
   int cross_cut(const Firing& firing, double turn, double step, std::int64_t rotation) noexcept;
-  void open(const Firing& firing, int columns, bool after_gap) noexcept;
+  void open(const Firing& firing, int column, int columns, bool after_gap) noexcept;
   void aim_lasers(double step) noexcept;
   void append(const Firing& firing,
               int column,
@@ -102,6 +103,8 @@ class Assembler {
               const hdl64::FiringReturns* others) noexcept;
   void fill_cells(std::uint64_t valid, int column) noexcept;
   void write_cells() noexcept;
+  void leave_empty(int column) noexcept;
+  void leave_rest_empty() noexcept;
   void hand_on_sectors() noexcept;
   void close_at_cut(int lost_before_cut, bool is_blind) noexcept;
   void close_within_rotation(std::uint32_t flags) noexcept;
@@ -113,6 +116,7 @@ class Assembler {
   double cut_rev_;
   std::int64_t firing_period_ns_ = hdl64::kFiringPeriod_ns;
   std::uint32_t room_ = hdl64::kLasers;  // that a firing's returns may need
+  bool had_echoes_ = false;              // sweeps of single return may hold some of an earlier use
   int sectors_;
   std::unique_ptr<Lanes> lanes_;
 

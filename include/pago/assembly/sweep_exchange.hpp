@@ -12,9 +12,9 @@ class SweepExchange {
  public:
   virtual ~SweepExchange() = default;
 
-  /// An empty sweep, or null when none is free: then the assembler gives up a rotation and counts it. A
-  /// replay waits in here until one comes back, and never returns null. The assembler holds at most one sweep
-  /// when it calls.
+  /// A sweep, empty but for the stale columns of its range image (Sweep::recycle), or null when none is free:
+  /// then the assembler gives up a rotation and counts it. A replay waits in here until one comes back, and
+  /// never returns null. The assembler holds at most one sweep when it calls.
   virtual Sweep* acquire() noexcept = 0;
 
   /// A part of a sweep that was acquired here, at most `sectors` for each sweep; the one with `last` set

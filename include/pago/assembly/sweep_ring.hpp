@@ -18,8 +18,8 @@ class SweepRing {
   /// [set-up] Allocates `size` (at least 1) sweeps of `max_returns` returns.
   SweepRing(std::size_t size, std::uint32_t max_returns);
 
-  /// [ingest thread] The next sweep, empty; null while all are out. Takes about 50 us: the range image is
-  /// emptied.
+  /// [ingest thread] The next sweep, empty but for the stale columns of its range image (Sweep::recycle);
+  /// null while all are out.
   Sweep* try_acquire() noexcept;
 
   /// [ingest thread] Takes back the sweep that has been out longest; it must be that one.

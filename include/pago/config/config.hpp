@@ -12,6 +12,7 @@
 #include "pago/config/odometry.hpp"
 #include "pago/config/output.hpp"
 #include "pago/config/pipeline.hpp"
+#include "pago/config/preset.hpp"
 #include "pago/config/simulator.hpp"
 #include "pago/config/vehicle.hpp"
 
@@ -20,6 +21,7 @@ namespace pago {
 /// Every setting of PaGO, by module. A default-constructed Config is a working one; change fields directly,
 /// or from files and `key=value` words (config/load.hpp). Plain data: copy freely.
 struct Config {
+  Preset preset = Preset::kDefault;  ///< a name for what was set; apply_preset() sets it
   Mount mount;
   VehicleConfig vehicle;
   PacketFilterConfig packets;
@@ -42,6 +44,7 @@ struct Config {
 
 template <typename Visitor>
 void describe(Visitor& v, Config& c) {
+  v("preset", c.preset, preset_choices(), "a named set of settings, which those that follow may change");
   v.section("mount", c.mount, "how the sensor sits on the vehicle");
   v.section("vehicle", c.vehicle, "the vehicle's own body, whose returns are left out");
   v.section("packets", c.packets, "which datagrams of a socket or a capture are the sensor's");

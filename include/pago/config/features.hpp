@@ -6,8 +6,37 @@
 
 namespace pago {
 
+/// Which range image clusters and features are found in.
+enum class Projection {
+  kRing,    ///< the sweep's own: one cell per firing, every return in its own
+  kUniform  ///< LeGO-LOAM's grid of equal angles: of the returns in a pixel the last one stays
+};
+
+/// [features.grid] The grid of equal angles: 64 rows of this step (LeGO-LOAM, for the HDL-64E). Such a unit's
+/// rows are 1/3 and 1/2 degree apart, so some pixels get two rings and some none.
+struct UniformGridConfig {
+  int columns = 1800;
+  double row_step_deg = 0.427;
+  double bottom_deg = 24.9;
+};
+
+template <typename Visitor>
+void describe(Visitor& v, UniformGridConfig& c) {
+  v("columns", c.columns, within(16, 4096), "of the uniform grid (PaGO-LOAM: 1800)");
+  v("row_step_deg", c.row_step_deg, within(0.01, 10.0), "height of one of its 64 rows (PaGO-LOAM: 0.427)");
+  v("bottom_deg", c.bottom_deg, within(0.0, 90.0),
+    "angle below the horizon at which it begins (PaGO-LOAM: 24.9)");
+}
+
+/// Which cells may belong to one segment.
+enum class Neighbours {
+  kFour,     ///< above, below, left and right: Bogoslavskyi and Stachniss, LeGO-LOAM
+  kDiagonal  ///< the four across corners: PaGO-LOAM's code
+};
+
 /// [features.clustering] Range-image segmentation (Bogoslavskyi and Stachniss 2016, as in LeGO-LOAM).
 struct ClusteringConfig {
+  Neighbours neighbours = Neighbours::kFour;
   double join_angle_deg = 60.0;
   int min_points = 30;
   int min_points_tall = 5;
@@ -16,6 +45,10 @@ struct ClusteringConfig {
 
 template <typename Visitor>
 void describe(Visitor& v, ClusteringConfig& c) {
+  v("neighbours", c.neighbours,
+    choices(std::pair{"four", Neighbours::kFour}, std::pair{"diagonal", Neighbours::kDiagonal}),
+    "cells that are held against each other: beside and above, or across corners (PaGO-LOAM's code: "
+    "diagonal)");
   v("join_angle_deg", c.join_angle_deg, within(1.0, 89.0),
     "neighbouring returns belong together when the line between them is steeper than this against the far "
     "beam "
@@ -56,8 +89,16 @@ enum class Smoothness {
   kNormalised     ///< c = |sum of r_k - r_i| / (10 r_i): LOAM's, in parts of the range
 };
 
+/// What planar points are found on.
+enum class PlanarSource {
+  kBoth,       ///< ground and other surfaces: the text of LeGO-LOAM
+  kGroundOnly  ///< ground alone: its code, and PaGO-LOAM's
+};
+
 /// [features]
 struct FeaturesConfig {
+  Projection projection = Projection::kRing;
+  UniformGridConfig grid;
   ClusteringConfig clustering;
   ThinningConfig thinning;
   double min_range_m = 1.0;
@@ -68,6 +109,11 @@ struct FeaturesConfig {
   int sharp_edges_per_sector = 2;
   int edges_per_sector = 20;
   int flat_planars_per_sector = 4;
+  PlanarSource planar_source = PlanarSource::kBoth;
+  int planars_per_sector = 0;
+  int ground_every_columns = 1;
+  int outlier_every_columns = 0;
+  int outliers_above_row = 50;
   double occlusion_jump_m = 0.3;
   double parallel_beam_ratio = 0.02;
   double planar_spacing_m = 0.2;
@@ -75,6 +121,12 @@ struct FeaturesConfig {
 
 template <typename Visitor>
 void describe(Visitor& v, FeaturesConfig& c) {
+  v("projection", c.projection,
+    choices(std::pair{"ring", Projection::kRing}, std::pair{"uniform", Projection::kUniform}),
+    "the range image that features are found in: one cell per firing, or a grid of equal angles where the "
+    "last "
+    "return of a pixel stays (PaGO-LOAM: uniform)");
+  v.section("grid", c.grid, "the grid of equal angles of features.projection");
   v.section("clustering", c.clustering, "grouping of non-ground returns; small groups give no features");
   v.section("thinning", c.thinning, "returns for the local map and saved maps, of all kinds");
   v("min_range_m", c.min_range_m, within(0.1, 20.0), "closer returns give no features (LeGO-LOAM: 1.0)");
@@ -90,12 +142,28 @@ void describe(Visitor& v, FeaturesConfig& c) {
   v("edges_per_sector", c.edges_per_sector, within(0, 40), "edges to register against (LeGO-LOAM: 20)");
   v("flat_planars_per_sector", c.flat_planars_per_sector, within(0, 10),
     "planar points to register, of ground and of other surfaces each (LeGO-LOAM: 4, ground only)");
+  v("planar_source", c.planar_source,
+    choices(std::pair{"both", PlanarSource::kBoth}, std::pair{"ground", PlanarSource::kGroundOnly}),
+    "where planar points to register are found: on all surfaces, or on ground alone (PaGO-LOAM's code: "
+    "ground)");
+  v("planars_per_sector", c.planars_per_sector, within(0, 1000),
+    "planar points to register against, the flattest of each sector; 0: all that is no edge (LeGO-LOAM's "
+    "text: 80, "
+    "its code: all)");
+  v("ground_every_columns", c.ground_every_columns, within(1, 100),
+    "ground gives features in every so many-th column only (LeGO-LOAM: 5)");
+  v("outlier_every_columns", c.outlier_every_columns, within(0, 100),
+    "of segments too small to trust, the map of mapping.method = keyframes gets every so many-th column; 0: "
+    "none "
+    "(LeGO-LOAM: 5)");
+  v("outliers_above_row", c.outliers_above_row, within(0, 63),
+    "and these above this row only (PaGO-LOAM: 50)");
   v("occlusion_jump_m", c.occlusion_jump_m, within(0.01, 10.0),
     "a range jump beyond this hides the farther side: no features there (LeGO-LOAM: 0.3)");
   v("parallel_beam_ratio", c.parallel_beam_ratio, within(0.001, 1.0),
     "a range change beyond this part of the range on both sides means a grazing beam (LeGO-LOAM: 0.02)");
-  v("planar_spacing_m", c.planar_spacing_m, within(0.01, 5.0),
-    "planar points to register against are about so far apart along a ring (LeGO-LOAM: 0.2)");
+  v("planar_spacing_m", c.planar_spacing_m, within(0.0, 5.0),
+    "planar points to register against are about so far apart along a ring; 0: all of them");
 }
 
 }  // namespace pago

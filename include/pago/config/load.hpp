@@ -22,8 +22,11 @@ namespace pago {
 
 /// The defaults, changed by a file. Cross-field rules are not checked: see validate().
 Config load_config(const std::filesystem::path& file);
+/// `config`, changed by a file.
+void load_config(Config& config, const std::filesystem::path& file);
 
-/// Changes the settings that `text` names; `name` stands for it in messages.
+/// Changes the settings that `text` names, a preset's (config/preset.hpp) first; `name` stands for it in
+/// messages.
 void apply_toml(Config& config, std::string_view text, const std::string& name);
 
 /// Changes one setting: "ground.method=lego", "mount.height_m=1.9". The value is written as in TOML; the

@@ -95,8 +95,68 @@ void describe(Visitor& v, KeyframesConfig& c) {
   v("angle_deg", c.angle_deg, within(0.0, 180.0), "or turned by so much");
 }
 
+/// What sweeps are registered to.
+enum class MappingMethod {
+  kCells,     ///< Gaussian cells, every sweep: PaGO's own
+  kKeyframes  ///< the features of keyframes around, every few sweeps: LeGO-LOAM's and PaGO-LOAM's
+};
+
+/// [mapping.keyframe_map] What is particular to method = keyframes: scan-to-map as PaGO-LOAM's code has it,
+/// without loop closing. Of [mapping] it uses point_sigma_m (for the covariance) and keyframes (which sweeps
+/// the saved map is of).
+struct KeyframeMapConfig {
+  int every_sweeps = 2;
+  double min_interval_s = 0.3;
+  double radius_m = 50.0;
+  double thinning_m = 1.0;
+  double keyframe_distance_m = 0.3;
+  double row_voxel_m = 0.2;
+  double edge_voxel_m = 0.2;
+  double planar_voxel_m = 0.4;
+  int max_iterations = 10;
+  double update_gain = 1.0;
+  double match_radius_m = 1.0;
+  int min_matches = 50;
+  double stop_translation_m = 0.0005;
+  double stop_rotation_rad = 0.000873;
+  double min_eigenvalue = 100.0;
+  bool deskew = false;
+};
+
+template <typename Visitor>
+void describe(Visitor& v, KeyframeMapConfig& c) {
+  v("every_sweeps", c.every_sweeps, within(1, 100),
+    "every so many-th sweep may be registered (LeGO-LOAM: 2, skipFrameNum 1)");
+  v("min_interval_s", c.min_interval_s, within(0.0, 60.0),
+    "and at least so long after the last one that was (LeGO-LOAM: 0.3)");
+  v("radius_m", c.radius_m, within(5.0, 1000.0), "keyframes this near make up the map (LeGO-LOAM: 50)");
+  v("thinning_m", c.thinning_m, within(0.0, 100.0),
+    "of them one per voxel of this side, that of the mean index; 0: all (LeGO-LOAM: 1)");
+  v("keyframe_distance_m", c.keyframe_distance_m, within(0.0, 100.0),
+    "a registered sweep this far from the last keyframe becomes one (LeGO-LOAM: 0.3)");
+  v("row_voxel_m", c.row_voxel_m, within(0.0, 5.0),
+    "planar points are means over voxels of this side, row by row; 0: as they are (LeGO-LOAM: 0.2)");
+  v("edge_voxel_m", c.edge_voxel_m, within(0.01, 5.0),
+    "edges, of a sweep and of the map, are means over voxels of this side (LeGO-LOAM: 0.2)");
+  v("planar_voxel_m", c.planar_voxel_m, within(0.01, 5.0), "the same for planar points (LeGO-LOAM: 0.4)");
+  v("max_iterations", c.max_iterations, within(1, 100), "of matching and solving (LeGO-LOAM: 10)");
+  v("update_gain", c.update_gain, within(0.01, 1.0),
+    "part of each Gauss-Newton step that is taken (LeGO-LOAM: 1)");
+  v("match_radius_m", c.match_radius_m, within(0.1, 20.0),
+    "the farthest of the five neighbours must be nearer (LeGO-LOAM: 1)");
+  v("min_matches", c.min_matches, within(6, 10000), "fewer matches: no step (LeGO-LOAM: 50)");
+  v("stop_translation_m", c.stop_translation_m, within(0.0, 1.0),
+    "a step that moves less ends the search (LeGO-LOAM: 0.0005)");
+  v("stop_rotation_rad", c.stop_rotation_rad, within(0.0, 0.1), "and turns less (LeGO-LOAM: 0.05 degrees)");
+  v("min_eigenvalue", c.min_eigenvalue, within(0.0, 1e9),
+    "directions whose eigenvalue of J^T J is less stay as guessed (LeGO-LOAM: 100)");
+  v("deskew", c.deskew, "move every return to one instant by odometry's motion (PaGO-LOAM's code: no)");
+}
+
 /// [mapping] Scan-to-map registration: the refined pose.
 struct MappingConfig {
+  MappingMethod method = MappingMethod::kCells;
+  KeyframeMapConfig keyframe_map;
   CellsConfig cells;
   StartConfig start;
   TrustConfig trust;
@@ -109,11 +169,18 @@ struct MappingConfig {
   double stop_translation_m = 0.001;
   double stop_rotation_rad = 0.0001;
   double prior_weight = 0.3;
+  double twist_sigma_m_s = 0.05;
+  double twist_sigma_rad_s = 0.02;
   double min_contribution = 1.0;
 };
 
 template <typename Visitor>
 void describe(Visitor& v, MappingConfig& c) {
+  v("method", c.method,
+    choices(std::pair{"cells", MappingMethod::kCells}, std::pair{"keyframes", MappingMethod::kKeyframes}),
+    "what sweeps are registered to: a local map of Gaussian cells, or features of the keyframes around as in "
+    "LeGO-LOAM and PaGO-LOAM; keyframes allocates while it runs");
+  v.section("keyframe_map", c.keyframe_map, "what is particular to method = keyframes");
   v.section("cells", c.cells, "the local map");
   v.section("start", c.start, "the motion that the sensor is switched on in");
   v.section("trust", c.trust, "when a registration is not believed");
@@ -129,6 +196,10 @@ void describe(Visitor& v, MappingConfig& c) {
   v("stop_rotation_rad", c.stop_rotation_rad, within(0.0, 0.1), "and turns less");
   v("prior_weight", c.prior_weight, within(0.0, 1.0),
     "how far the scan-to-scan motion is trusted beside the map, as part of its own information");
+  v("twist_sigma_m_s", c.twist_sigma_m_s, within(1e-6, 10.0),
+    "the velocity within a sweep is sought around that which the last motions make expect: deviation of its "
+    "translation");
+  v("twist_sigma_rad_s", c.twist_sigma_rad_s, within(1e-6, 10.0), "and of its rotation");
   v("min_contribution", c.min_contribution, within(0.0, 1000.0),
     "a direction of motion for which fewer matches speak, by squared cosine, counts as not observable");
 }

@@ -16,6 +16,12 @@ enum class TargetKind {
   kRings   ///< the plane or line through the nearest features, by ring: LOAM's
 };
 
+/// How two sweeps are registered.
+enum class Registration {
+  kTwoStep,  ///< rounds of both steps, many neighbours per match: PaGO's own
+  kLoam      ///< all of step one, then all of step two, three points per plane: PaGO-LOAM's code
+};
+
 /// How residuals lose weight with their size.
 enum class Kernel {
   kGemanMcClure,  ///< as wide as three times the residuals' robust deviation
@@ -48,9 +54,32 @@ void describe(Visitor& v, CellTargetsConfig& c) {
     "arc some");
 }
 
+/// [odometry.loam] What is particular to registration = loam. It uses of [odometry] max_rounds (matchings per
+/// step), steps_per_round, update_gain, match_radius_m, stop_*, deskew and what judges a result; nothing
+/// else.
+struct LoamConfig {
+  double target_voxel_m = 0.2;
+  bool same_surface = false;
+  double min_eigenvalue = 10.0;
+};
+
+template <typename Visitor>
+void describe(Visitor& v, LoamConfig& c) {
+  v("target_voxel_m", c.target_voxel_m, within(0.0, 5.0),
+    "planar points to register against are means over voxels of this side, row by row; 0: as they are "
+    "(LeGO-LOAM: "
+    "0.2)");
+  v("same_surface", c.same_surface,
+    "ground is matched with ground and other surfaces with others (LeGO-LOAM's text: yes, its code: no)");
+  v("min_eigenvalue", c.min_eigenvalue, within(0.0, 1e9),
+    "directions of a step whose eigenvalue of J^T J is less stay as guessed (LeGO-LOAM: 10)");
+}
+
 /// [odometry] Scan-to-scan registration in two steps (LeGO-LOAM section III.D, PaGO-LOAM).
 struct OdometryConfig {
   PoseInstant pose_instant = PoseInstant::kEnd;
+  Registration registration = Registration::kTwoStep;
+  LoamConfig loam;
   TargetKind targets = TargetKind::kCells;
   CellTargetsConfig cells;
   int ring_neighbours = 3;
@@ -80,6 +109,10 @@ void describe(Visitor& v, OdometryConfig& c) {
     choices(std::pair{"start", PoseInstant::kStart}, std::pair{"mid", PoseInstant::kMid},
             std::pair{"end", PoseInstant::kEnd}),
     "instant of the sweep that its pose holds for");
+  v("registration", c.registration,
+    choices(std::pair{"two_step", Registration::kTwoStep}, std::pair{"loam", Registration::kLoam}),
+    "PaGO's registration, or that of LeGO-LOAM's and PaGO-LOAM's code; loam allocates while it runs");
+  v.section("loam", c.loam, "what is particular to registration = loam");
   v("targets", c.targets,
     choices(std::pair{"cells", TargetKind::kCells}, std::pair{"rings", TargetKind::kRings}),
     "what features are matched with: Gaussian cells of the last sweep, or its features ring by ring (LOAM)");

@@ -43,6 +43,10 @@ class RangeImage {
     const std::size_t n = static_cast<std::size_t>(columns + 2 * kColumnMargin);
     for (int ring = 0; ring < kNumRings; ++ring) std::fill_n(row(ring) - kColumnMargin, n, kEmpty);
   }
+  /// Empties columns [begin, end) of a ring; none if begin >= end.
+  void clear(int ring, int begin, int end) noexcept {
+    if (begin < end) std::fill_n(row(ring) + begin, end - begin, kEmpty);
+  }
 
  private:
   static std::size_t offset(int ring, int column) noexcept {

@@ -2,8 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
+#include <utility>
 
 #include "pago/core/aligned_array.hpp"
 #include "pago/core/estimate.hpp"
@@ -81,6 +83,9 @@ struct FeatureLists {
   FixedVector<std::uint32_t> edges;         ///< sharp ones and more: the next sweep's targets
   FixedVector<std::uint32_t> flat_planars;  ///< the flattest few per sector: sources of step one
   FixedVector<std::uint32_t> planars;       ///< thinned rest: the next sweep's targets
+  FixedVector<std::uint32_t> outliers;      ///< of segments too small to trust, where asked for
+  /// Edges and planars come row by row of the image that they were found in: row r is [rows[r], rows[r + 1]).
+  std::array<std::uint32_t, kNumRings + 1> edge_rows{}, planar_rows{};
   // Of all returns, whatever they are (features/thinning.hpp); each list is a part of the one before.
   FixedVector<std::uint32_t> dense;       ///< evenly spaced along rings: what a saved map shows
   FixedVector<std::uint32_t> map_points;  ///< one per voxel: what the local map is made of
@@ -88,7 +93,8 @@ struct FeatureLists {
 };
 /// More than a sweep of an HDL-64E gives at the default voxels, with room to spare; beyond, points are left
 /// out.
-inline constexpr std::uint32_t kMaxDensePoints = 100'000, kMaxMapPoints = 32'768, kMaxKeyPoints = 8'000;
+inline constexpr std::uint32_t kMaxDensePoints = 100'000, kMaxMapPoints = 32'768, kMaxKeyPoints = 8'000,
+                               kMaxOutliers = 65'536;
 
 /// What odometry tells mapping: the motion since the last sweep with a pose, between the two sweeps'
 /// reference instants. Poses are chained between these; they are reported at the configured instant.
@@ -145,6 +151,7 @@ struct Sweep {
     features.edges = FixedVector<std::uint32_t>(kNumRings * 6 * 40);
     features.flat_planars = FixedVector<std::uint32_t>(kNumRings * 6 * 20);
     features.planars = FixedVector<std::uint32_t>(max_returns);
+    features.outliers = FixedVector<std::uint32_t>(std::min(max_returns, kMaxOutliers));
     features.dense = FixedVector<std::uint32_t>(std::min(max_returns, kMaxDensePoints));
     features.map_points = FixedVector<std::uint32_t>(std::min(max_returns, kMaxMapPoints));
     features.key_points = FixedVector<std::uint32_t>(std::min(max_returns, kMaxKeyPoints));
@@ -162,6 +169,8 @@ struct Sweep {
   AlignedArray<std::uint16_t> column;
   AlignedArray<std::int32_t> time_offset_ns;  ///< firing time after header.start_ns
   RangeImage range_image;
+  /// So many columns of the range image, and the margins beside them, may still be of an earlier use.
+  int stale_columns = 0;
   AlignedArray<std::uint16_t> label;  ///< SemanticKITTI class, where header.flags has kLabelled
 
   // --- ground
@@ -186,13 +195,22 @@ struct Sweep {
 
   /// Makes the sweep empty for refilling; keeps the memory.
   void reset() noexcept {
-    range_image.clear(static_cast<int>(header.num_columns));
+    recycle();
+    clear_stale_columns();
+  }
+
+  /// The same, but for the range image: who fills it column by column writes most of it anyway, and empties
+  /// the rest of the stale columns before anybody else sees the sweep.
+  void recycle() noexcept {
+    stale_columns = std::max(stale_columns, static_cast<int>(header.num_columns));
     header = {};
     size = 0;
     features.sharp_edges.clear();
     features.edges.clear();
     features.flat_planars.clear();
     features.planars.clear();
+    features.outliers.clear();
+    features.edge_rows = features.planar_rows = {};
     features.dense.clear();
     features.map_points.clear();
     features.key_points.clear();
@@ -200,6 +218,9 @@ struct Sweep {
     estimate = {};
     times = {};
   }
+
+  /// After recycle(): empties the range image.
+  void clear_stale_columns() noexcept { range_image.clear(std::exchange(stale_columns, 0)); }
 };
 
 }  // namespace pago

@@ -2,9 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <memory>
+
 #include "pago/config/features.hpp"
 #include "pago/core/stage.hpp"
 #include "pago/features/clustering.hpp"
+#include "pago/features/feature_image.hpp"
 #include "pago/features/thinning.hpp"
 
 namespace pago::features {
@@ -30,8 +33,8 @@ struct RingSequence {
 
 /// Feature extraction as a pipeline stage (LeGO-LOAM section III.C-D, PaGO-LOAM): clusters, then along each
 /// ring edges (rough, never ground) and planar points (smooth; ground and other surfaces). Fills
-/// sweep.cluster and sweep.features. [set-up] constructor; [front thread] the rest: real-time safe,
-/// deterministic.
+/// sweep.cluster and sweep.features. What LeGO-LOAM's code and text do otherwise is a setting each. [set-up]
+/// constructor; [front thread] the rest: real-time safe, deterministic.
 class FeaturesStage {
  public:
   FeaturesStage(const FeaturesConfig& config, std::uint32_t max_returns);
@@ -41,13 +44,16 @@ class FeaturesStage {
   void finish(Sweep& sweep) noexcept;
 
  private:
-  void load_ring(const Sweep& sweep, int ring) noexcept;
+  void load_ring(Sweep& sweep, const FeatureImage& image, int ring) noexcept;
+  bool is_left_out(int column, int columns) const noexcept;
   void select(Sweep& sweep) noexcept;
   void select_edges(FeatureLists& lists, std::size_t begin, std::size_t end) noexcept;
   void select_planars(FeatureLists& lists, std::size_t begin, std::size_t end, std::uint8_t ground) noexcept;
-  void keep_targets(Sweep& sweep) noexcept;
+  void select_targets(FeatureLists& lists, std::size_t begin, std::size_t end) noexcept;
+  void keep_targets(Sweep& sweep, int columns) noexcept;
 
   FeaturesConfig config_;
+  std::unique_ptr<UniformGrid> grid_;  // with projection = uniform
   Clusterer clusterer_;
   SweepThinner thinner_;
   RingSequence ring_;

@@ -19,10 +19,14 @@ struct MotionGuess {
   Eigen::Isometry3d T_last_this = Eigen::Isometry3d::Identity();  ///< start value
   /// How much the start value is trusted; right perturbation in the sensor frame, x y z roll pitch yaw.
   Matrix6d information = Matrix6d::Zero();
-  double period_s = 0.0;  ///< from the last sweep's reference instant to this one's; 0: no de-skew
+  bool is_carried = false;  ///< it is the motion before, carried on: no sweep has told it
+  double period_s = 0.0;    ///< from the last sweep's reference instant to this one's; 0: no de-skew
   /// De-skew by this instead of by what is found: after a leap the motion since the last sweep is no
   /// velocity.
   std::optional<Vector6d> twist = std::nullopt;
+  /// The velocity changes so fast (per s^2): what it is at the reference instant is found along with the
+  /// motion, held to what this makes expect. Without it the velocity is that since the last sweep.
+  std::optional<Vector6d> acceleration = std::nullopt;
 };
 
 /// How far a registration looks, and how long.
@@ -38,7 +42,7 @@ struct JointLimits {
 
 struct JointResult {
   Eigen::Isometry3d T_last_this = Eigen::Isometry3d::Identity();
-  Vector6d twist = Vector6d::Zero();  ///< per second, that the points were de-skewed by
+  Vector6d twist = Vector6d::Zero();  ///< per second, at the reference instant: what points were de-skewed by
   /// Of the matches alone; as MotionGuess::information.
   Matrix6d information = Matrix6d::Zero();
   registration::WeakDirections weak;
@@ -47,6 +51,14 @@ struct JointResult {
   std::uint32_t offered = 0, matches = 0;
   double rms_m = 0.0;  ///< robustly weighted
   double score = 0.0;  ///< how well the points are explained, 0 to 1: mean closeness, 0 for the unmatched
+};
+
+/// What the matches say of the velocity within the sweep, apart from the motion since the last one: a point
+/// that was seen `s` before the reference instant moves by -s times what it would by a motion.
+struct BendEquations {
+  Matrix6d motion_bend = Matrix6d::Zero();  ///< sum of -s w J J^T
+  Matrix6d bend_bend = Matrix6d::Zero();    ///< sum of s^2 w J J^T
+  Vector6d b = Vector6d::Zero();            ///< sum of -s w r J
 };
 
 /// Scan to map, all six degrees of freedom at once: points to the planes of the local map, Gauss-Newton under
@@ -70,10 +82,12 @@ class JointRegistration {
              const Vector6d& twist,
              const JointLimits& limits) noexcept;
   void weigh(double kernel_min_m) noexcept;
+  void add_bend(BendEquations& sum) const noexcept;
   void measure(JointResult& result) const noexcept;
 
   MappingConfig config_;
   registration::Rows rows_;
+  FixedVector<float> before_s_;  // of each row's point
   FixedVector<float> magnitudes_;
 };
 

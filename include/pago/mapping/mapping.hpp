@@ -50,8 +50,11 @@ class MappingStage {
              const MotionGuess& guess,
              const JointResult& result,
              bool usable) noexcept;
-  void move_to(const Eigen::Isometry3d& T_map_this, double period_s) noexcept;
-  void restart(const ScanMotion& motion, Estimate& estimate) noexcept;
+  void move_to(const Eigen::Isometry3d& T_map_this,
+               double period_s,
+               const std::optional<Vector6d>& twist = std::nullopt) noexcept;
+  void forget_changes() noexcept;
+  void restart(bool is_told, Estimate& estimate) noexcept;
   void state(const ScanMotion& motion,
              const MotionGuess& guess,
              const JointResult& result,
@@ -72,6 +75,8 @@ class MappingStage {
   Phase phase_ = Phase::kEmpty;
   std::int64_t first_reference_ns_ = 0, first_reported_ns_ = 0;
   RefinedState refined_;
+  Vector6d acceleration_ = Vector6d::Zero();  // of refined_.twist, of the last few sweeps
+  Vector6d twist_ = Vector6d::Zero();         // at the reference instant
   /// Poses in the map are relative to the first sweep's reference instant; `odom` to its reported one.
   Eigen::Isometry3d T_odom_map_ = Eigen::Isometry3d::Identity();
   Eigen::Isometry3d T_map_start_ = Eigen::Isometry3d::Identity();

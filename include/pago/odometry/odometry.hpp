@@ -2,7 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <memory>
+
 #include "pago/core/stage.hpp"
+#include "pago/odometry/loam_registration.hpp"
 #include "pago/odometry/registration.hpp"
 
 namespace pago::odometry {
@@ -19,7 +22,7 @@ namespace pago::odometry {
 ///
 /// finish() registers; update(), called once the poses are out, prepares the next sweep's targets.
 /// [set-up] constructor; [estimate thread] the rest: real-time safe, deterministic. About 3 ms of CPU per
-/// sweep.
+/// sweep. With registration = loam it allocates.
 class OdometryStage {
  public:
   /// `refined` is read with each sweep and must outlive the stage.
@@ -38,6 +41,8 @@ class OdometryStage {
   void time_since_last(const SweepHeader& header, ScanMotion& motion) const noexcept;
   void follow_start(ScanMotion& motion) noexcept;
   void advance(Sweep& sweep) noexcept;
+  bool has_slipped() const noexcept;
+  RegistrationResult align(const ScanMotion& motion, const Eigen::Isometry3d& T_predicted) noexcept;
   HealthReason judge(const RegistrationResult& result, const Eigen::Isometry3d& T_predicted) const noexcept;
   void state(Estimate& estimate,
              const RegistrationResult& result,
@@ -48,6 +53,7 @@ class OdometryStage {
   OdometryConfig config_;
   const RefinedState& refined_;
   TwoStepRegistration registration_;
+  std::unique_ptr<LoamRegistration> loam_;  // instead, where asked for
   FeatureSet sources_, raw_targets_;
   Targets targets_;
 

@@ -59,7 +59,7 @@ struct Scan {
 /// `assembly.max_returns`. Objects are independent of each other. [set-up] constructor; [one thread at a
 /// time] the rest. process() is real-time safe: no allocation, lock, file or log; 25 ms of CPU time for one
 /// of KITTI's scans of 120,000 points (measured on a busy machine), six times that where a first motion has
-/// to be found (second scan, time gap).
+/// to be found (second scan, time gap). Not with the paper presets (config/preset.hpp), which allocate.
 class Odometry {
  public:
   /// Allocates all that will be needed. Throws Error: a setting that cannot be used, a ground method that

@@ -62,6 +62,7 @@ struct RunSummary {
   std::uint64_t unrecorded = 0;  ///< live: sweeps and poses that the observer was too slow for
   std::uint64_t unmapped = 0;    ///< live: keyframes that the observer was too slow for
   std::string sensor;            ///< what the stream came from, e.g. "HDL-64E S2/S3, single return"
+  hdl64::SensorStatus said;      ///< what the sensor says of itself; packet runs only
   std::vector<std::string> threads;  ///< what each thread asked for and got
   ground::MountReport mount;         ///< whether the ground was where the mount says
   std::string complaint;             ///< the source's own words if it ended early; what came before was used

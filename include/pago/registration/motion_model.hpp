@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <Eigen/Geometry>
+
 #include "pago/core/estimate.hpp"
 
 namespace pago::registration {
@@ -11,6 +13,13 @@ namespace pago::registration {
 /// deviates by 2 m/s^2, its turn rate's change by 0.5 rad/s^2; the velocity itself is the less certain the
 /// more motions in a row (`unconfirmed`, 0 for none) nothing has confirmed. Real-time safe.
 Matrix6d predicted_information(double period_s, int unconfirmed) noexcept;
+
+/// Whether a motion over `period_s` may follow one at `twist` (per second, of the interval before): six of
+/// the deviations above at most. What is beyond has slipped, along scan lines as a rule. Real-time safe.
+bool may_follow(const Eigen::Isometry3d& T_last_this,
+                const Vector6d& twist,
+                double period_s,
+                int unconfirmed) noexcept;
 
 /// A motion is carried on for no longer than this: nothing says that the vehicle did not stop.
 inline constexpr double kLongestPrediction_s = 3.0;

@@ -46,6 +46,10 @@ class Simulator {
   /// Makes the next packet; false when the drive is over.
   bool next(SimulatedPacket& packet);
 
+  /// Goes on with the packet that fires at `time_ns`, or one a few before it, later or earlier in the drive.
+  /// What lies between is not rendered and costs nothing; what follows is the same as without it.
+  void skip_to(std::int64_t time_ns) noexcept;
+
   /// The unit's calibration file, which the unit keeps to as well as the settings say.
   const hdl64::Calibration& calibration() const noexcept;
 

@@ -22,15 +22,14 @@ struct Cloud {
   Eigen::Vector3d from = Eigen::Vector3d::Zero();  ///< where the sensor was in its middle
 };
 
-/// The sweeps of a drive that are asked for.
-template <typename IsWanted>
-std::vector<Cloud> clouds(const SimulatorConfig& config, IsWanted is_wanted) {
+/// Some sweeps of a drive, in the order of `scans`; nothing else of it is rendered.
+inline std::vector<Cloud> clouds(simulator::Simulator& drive, const std::vector<std::uint64_t>& scans) {
   using simulator::Label;
-  simulator::Simulator drive(config, {}, {});
   std::vector<Cloud> result;
+  std::uint64_t wanted = 0;
   const auto use = [&](std::uint64_t scan, const simulator::LabelledRings& rings) {
+    if (scan != wanted) return;  // a few firings of the one before
     const Eigen::Isometry3d T = drive.T_world_sensor(drive.sweep(scan).mid_ns);
-    if (!is_wanted(scan, T)) return;
     Cloud cloud;
     cloud.from = T.translation();
     for (const auto& ring : rings) {
@@ -45,10 +44,14 @@ std::vector<Cloud> clouds(const SimulatorConfig& config, IsWanted is_wanted) {
     }
     result.push_back(std::move(cloud));
   };
-  simulator::ScanCollector collector(drive, {}, true, use);
   simulator::SimulatedPacket packet;
-  while (drive.next(packet)) collector.add(packet);
-  collector.finish(drive.num_sweeps());
+  for (const std::uint64_t scan : scans) {
+    wanted = scan;
+    simulator::ScanCollector collector(drive, {}, true, use);
+    drive.skip_to(drive.sweep(scan).start_ns);
+    const std::size_t before = result.size();
+    while (result.size() == before && drive.next(packet)) collector.add(packet);
+  }
   return result;
 }
 
