@@ -139,9 +139,10 @@ void OdometryStage::advance(Sweep& sweep) noexcept {
 }
 
 // Where there are grass and hedges only, the last sweep's scan lines are what fits best: no motion. The map,
-// made of many sweeps, knows better.
+// made of many sweeps, knows better. PaGO-LOAM's front end does not ask its map, whose poses leap when a
+// sweep is registered.
 bool OdometryStage::has_slipped() const noexcept {
-  if (!refined_.has_motion || refined_.period_s <= 0.0) return false;
+  if (loam_ || !refined_.has_motion || refined_.period_s <= 0.0) return false;
   const Eigen::Isometry3d T_own = exp_se3(twist_ * refined_.period_s);
   return predicted_in_a_row_ > 0 || !registration::may_follow(T_own, refined_.twist, refined_.period_s, 0);
 }
