@@ -139,7 +139,8 @@ void OdometryStage::advance(Sweep& sweep) noexcept {
 }
 
 // Where there are grass and hedges only, the last sweep's scan lines are what fits best: no motion. The map,
-// made of many sweeps, knows better. LeGO-LOAM's front end is not told what its map knows.
+// made of many sweeps, knows better. PaGO-LOAM's front end does not ask its map, whose poses leap when a
+// sweep is registered.
 bool OdometryStage::has_slipped() const noexcept {
   if (loam_ || !refined_.has_motion || refined_.period_s <= 0.0) return false;
   const Eigen::Isometry3d T_own = exp_se3(twist_ * refined_.period_s);

@@ -226,6 +226,23 @@ TEST_CASE("keyframes keep a drive nearer to the truth than scans alone, and to t
   REQUIRE((T_one.matrix().array() == T_two.matrix().array()).all());
 }
 
+TEST_CASE("the front end runs beside its map and takes nothing from it", "[mapping][keyframes]") {
+  OdometryConfig poor = loam();
+  poor.update_gain = 0.05;
+  poor.stop_rotation_rad = 0.001745;
+  const auto front_end = [&](int every_sweeps) {
+    MappingConfig mapping = keyframes();
+    mapping.keyframe_map.every_sweeps = every_sweeps;
+    StreetDrive street(poor, mapping, all_planars());
+    for (int i = 0; i <= 14; ++i) street.next(forward(0.5 * i));
+    return std::pair{street.sweep.estimate.T_odom_sensor_front_end, street.refined()};
+  };
+  const auto [T_beside, T_mapped] = front_end(2);
+  const auto [T_alone, T_unmapped] = front_end(100);
+  REQUIRE((T_mapped.translation() - T_unmapped.translation()).norm() > 0.1);  // the map does leap
+  REQUIRE((T_beside.matrix().array() == T_alone.matrix().array()).all());
+}
+
 TEST_CASE("reset, keyframes are forgotten", "[mapping][keyframes]") {
   StreetDrive drive(loam(), keyframes(), all_planars());
   for (int i = 0; i < 6; ++i) drive.next(forward(2.0));
