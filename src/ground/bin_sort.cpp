@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cassert>
 
+#include "pago/core/prefetch.hpp"
+
 namespace pago::ground {
 
 BinSort::BinSort(int num_bins, std::uint32_t max_returns)
@@ -120,11 +122,11 @@ void BinSort::move_streams(const Coordinates& returns) noexcept {
   Place* const place = place_.data();
   const std::uint16_t* const bin_of = bin_of_.data();
   PerStream* const next = next_.data();
-  constexpr std::ptrdiff_t kPlacesAhead = 64 / sizeof(Place) + 2;
+  constexpr std::ptrdiff_t kPlacesAhead = kCacheLineBytes / sizeof(Place) + 2;
   const std::uint32_t quarter = static_cast<std::uint32_t>(noted_ / kStreams);
   const auto put = [=](std::uint32_t i, std::size_t stream) {
     Place* const to = place + next[bin_of[i]][stream]++;
-    __builtin_prefetch(to + kPlacesAhead, 1);
+    prefetch_to_write(to + kPlacesAhead);
     *to = Place{from_x[i], from_y[i], from_z[i], 0.0F};
   };
   for (std::uint32_t i = 0; i < quarter; ++i) {

@@ -19,6 +19,7 @@
 
 #include "line_lookup.hpp"
 #include "methods.hpp"
+#include "pago/core/prefetch.hpp"
 #include "polar_bins.hpp"
 
 namespace pago::ground {
@@ -72,7 +73,7 @@ class LineFit final : public Segmenter {
     for (std::uint32_t i = located_; i < until; ++i)
       range_m[i] = std::sqrt(returns.x_m[i] * returns.x_m[i] + returns.y_m[i] * returns.y_m[i]);
     for (; located_ < until; ++located_) {
-      __builtin_prefetch(&lowest_[cell_of_[located_ + kAhead]], 1);
+      prefetch_to_write(&lowest_[cell_of_[located_ + kAhead]]);
       RangeHeight& lowest = lowest_[cell_of_[located_]];
       if (returns.z_m[located_] < lowest.z_m) lowest = {range_m[located_], returns.z_m[located_]};
     }

@@ -9,6 +9,7 @@
 #include "nearest_five.hpp"
 #include "pago/core/se3.hpp"
 #include "pago/core/symmetric6.hpp"
+#include "pago/registration/loam_rows.hpp"
 
 namespace pago::mapping {
 
@@ -18,33 +19,23 @@ constexpr std::size_t kMinMapEdges = 10, kMinMapPlanars = 100;  // LeGO-LOAM
 
 Matrix6d strong_directions(const Matrix6d& H, double min_eigenvalue) noexcept {
   const Eigen6 axes = eigen_of(H);
-  Matrix6d strong = Matrix6d::Zero();
-  for (int i = 0; i < 6; ++i)
-    if (axes.values[i] >= min_eigenvalue) strong += axes.vectors.col(i) * axes.vectors.col(i).transpose();
-  return strong;
+  return registration::strong_directions<6>(axes.values, axes.vectors, min_eigenvalue);
 }
 
 }  // namespace
 
-bool make_row(const Eigen::Isometry3d& T_map_sensor,
-              const Eigen::Vector3d& source,
-              const Eigen::Vector3d& normal,
-              double distance_m,
-              double range_factor,
-              registration::Row& row) noexcept {
-  constexpr double kSlope = 0.9, kLeast = 0.1;
+std::optional<registration::Row> map_row(const Eigen::Isometry3d& T_map_sensor,
+                                         const Eigen::Vector3d& source,
+                                         const Eigen::Vector3d& normal,
+                                         double distance_m,
+                                         double range_factor) noexcept {
+  constexpr double kSlope = 0.9;
   const double s = 1.0 - kSlope * std::abs(distance_m) / range_factor;
-  if (!(s > kLeast)) return false;
-  row = registration::plane_row(source.cast<float>(),
-                                (T_map_sensor.linear().transpose() * normal).cast<float>(),
-                                static_cast<float>(distance_m), 1.0F);
-  row.kernel_weight = static_cast<float>(s * s);  // LOAM multiplies row and residual by s
-  return true;
+  return registration::loam_row(T_map_sensor, source, normal, distance_m, s);
 }
 
 void FivePointRegistration::match(const FeatureClouds& scan, const Eigen::Isometry3d& T_map_sensor) {
   rows_.clear();
-  registration::Row row;
   for (const Eigen::Vector3f& p : scan.edges) {
     const Eigen::Vector3d source = p.cast<double>(), point = T_map_sensor * source;
     const auto five = nearest_five(edges_, point, config_.match_radius_m);
@@ -53,8 +44,9 @@ void FivePointRegistration::match(const FeatureClouds& scan, const Eigen::Isomet
     const Eigen::Vector3d from_centre = point - line->centre;
     const Eigen::Vector3d off = from_centre - line->direction.dot(from_centre) * line->direction;
     const double distance_m = off.norm();
-    if (distance_m > 0.0 && make_row(T_map_sensor, source, off / distance_m, distance_m, 1.0, row))
-      rows_.push_back(row);
+    if (!(distance_m > 0.0)) continue;
+    if (const auto row = map_row(T_map_sensor, source, off / distance_m, distance_m, 1.0))
+      rows_.push_back(*row);
   }
   for (const Eigen::Vector3f& p : scan.planars) {
     const Eigen::Vector3d source = p.cast<double>(), point = T_map_sensor * source;
@@ -62,8 +54,8 @@ void FivePointRegistration::match(const FeatureClouds& scan, const Eigen::Isomet
     const auto plane = five ? plane_through(*five) : std::nullopt;
     if (!plane) continue;
     const double distance_m = plane->normal.dot(point) - plane->distance_m;
-    if (make_row(T_map_sensor, source, plane->normal, distance_m, std::sqrt(point.norm()), row))
-      rows_.push_back(row);
+    if (const auto row = map_row(T_map_sensor, source, plane->normal, distance_m, std::sqrt(point.norm())))
+      rows_.push_back(*row);
   }
 }
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <Eigen/Geometry>
+#include <optional>
 
 #include "keyframe_store.hpp"
 #include "pago/core/estimate.hpp"
@@ -22,13 +23,12 @@ struct FivePointResult {
 
 /// The row of a point for the line or plane through its five neighbours in the map, weighted as in LOAM's
 /// mapping: by 1 - 0.9 |distance|, for planes over the square root of how far the point is from the origin of
-/// the *map* (LOAM's code, kept). False where that leaves a tenth or less.
-bool make_row(const Eigen::Isometry3d& T_map_sensor,
-              const Eigen::Vector3d& source,
-              const Eigen::Vector3d& normal,
-              double distance_m,
-              double range_factor,
-              registration::Row& row) noexcept;
+/// the *map* (LOAM's code, kept). Nothing where that leaves a tenth or less.
+std::optional<registration::Row> map_row(const Eigen::Isometry3d& T_map_sensor,
+                                         const Eigen::Vector3d& source,
+                                         const Eigen::Vector3d& normal,
+                                         double distance_m,
+                                         double range_factor) noexcept;
 
 /// Scan to map as in LeGO-LOAM's and PaGO-LOAM's code (scan2MapOptimization): up to ten rounds of matching
 /// with five neighbours and one undamped Gauss-Newton step in all six degrees of freedom. Allocates;

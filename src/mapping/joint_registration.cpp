@@ -41,6 +41,17 @@ Matrix6d bend_information(const MappingConfig& config) noexcept {
   return sigma.cwiseAbs2().cwiseInverse().asDiagonal();
 }
 
+/// The change of the velocity that solves its equations: `alone` if the motion stays, and what each change of
+/// the motion adds.
+struct BendStep {
+  Vector6d alone = Vector6d::Zero();
+  Matrix6d per_motion = Matrix6d::Zero();
+};
+BendStep step_of(const BendEquations& bends, const Matrix6d& known, const Vector6d& bend) noexcept {
+  const Matrix6d inverse = inverse_of(bends.bend_bend + known);
+  return {-inverse * (bends.b + known * bend), -inverse * bends.motion_bend};
+}
+
 }  // namespace
 
 JointRegistration::JointRegistration(const MappingConfig& config, std::size_t max_points)
@@ -54,6 +65,7 @@ JointResult JointRegistration::align(CellMap& map,
   JointResult result;
   result.offered = static_cast<std::uint32_t>((points.size + limits.stride - 1) / limits.stride);
   result.T_last_this = limits.T_first.value_or(guess.T_last_this);
+  const Matrix6d known_bend = bend_information(config_);
   Vector6d bend = Vector6d::Zero();
   while (true) {
     result.twist = twist_of(result.T_last_this, guess) + bend;
@@ -72,21 +84,18 @@ JointResult JointRegistration::align(CellMap& map,
     const Vector6d off = difference(guess.T_last_this, result.T_last_this);
     Matrix6d H = sum.H + guess.information + result.weak.penalty;
     Vector6d b = sum.b + guess.information * off;
-    BendEquations bends;
-    Matrix6d per_motion = Matrix6d::Zero();
-    Vector6d bend_step = Vector6d::Zero();
+    BendStep bend_step;
     if (finds_bend(guess)) {  // eliminated: what is left are the equations of the motion
-      add_bend(bends);
-      const Matrix6d inverse = inverse_of(bends.bend_bend + bend_information(config_));
-      per_motion = -inverse * bends.motion_bend;
-      bend_step = -inverse * (bends.b + bend_information(config_) * bend);
-      H += bends.motion_bend * per_motion;
-      b += bends.motion_bend * bend_step;
-      result.information += bends.motion_bend * per_motion;
+      const BendEquations bends = bend_equations();
+      bend_step = step_of(bends, known_bend, bend);
+      const Matrix6d lost = bends.motion_bend * bend_step.per_motion;
+      H += lost;
+      b += bends.motion_bend * bend_step.alone;
+      result.information += lost;
     }
     const Vector6d step = solve_semidefinite(H, -b);
     if (!step.allFinite()) break;
-    bend += bend_step + per_motion * step;
+    bend += bend_step.alone + bend_step.per_motion * step;
     result.T_last_this = perturb(result.T_last_this, step);
     if (step.head<3>().norm() < config_.stop_translation_m &&
         step.tail<3>().norm() < config_.stop_rotation_rad)
@@ -135,7 +144,8 @@ void JointRegistration::weigh(double kernel_min_m) noexcept {
   for (Row& row : rows_) row.kernel_weight = registration::geman_mcclure(row.residual_m, width);
 }
 
-void JointRegistration::add_bend(BendEquations& sum) const noexcept {
+BendEquations JointRegistration::bend_equations() const noexcept {
+  BendEquations sum;
   for (std::size_t i = 0; i < rows_.size(); ++i) {
     const Row& row = rows_.view()[i];
     const Vector6d J = row.J.cast<double>();
@@ -145,6 +155,7 @@ void JointRegistration::add_bend(BendEquations& sum) const noexcept {
     sum.bend_bend.noalias() += (s * s * w * J) * J.transpose();
     sum.b.noalias() -= (s * w * static_cast<double>(row.residual_m)) * J;
   }
+  return sum;
 }
 
 // With a fixed kernel: the one used for solving widens with the misfit, and so would praise a bad fit.

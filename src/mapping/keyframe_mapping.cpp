@@ -22,10 +22,7 @@ class FeatureReader {
   FeatureReader(const Sweep& sweep, const Vector6d& twist) : sweep_(sweep), to_reference_(twist) {}
 
   Eigen::Vector3f operator()(std::uint32_t i) const noexcept {
-    const std::int64_t before_ns =
-        sweep_.motion.reference_ns - sweep_.header.start_ns - sweep_.time_offset_ns[i];
-    return to_reference_({sweep_.x_m[i], sweep_.y_m[i], sweep_.z_m[i]},
-                         static_cast<float>(seconds(before_ns)));
+    return to_reference_({sweep_.x_m[i], sweep_.y_m[i], sweep_.z_m[i]}, sweep_.before_reference_s(i));
   }
   std::vector<Eigen::Vector3f> all(std::span<const std::uint32_t> list) const {
     std::vector<Eigen::Vector3f> points;

@@ -8,11 +8,10 @@
 #include <optional>
 
 #include "pago/core/se3.hpp"
+#include "pago/registration/loam_rows.hpp"
 #include "pago/registration/voxel_means.hpp"
 
 namespace pago::odometry {
-
-using registration::Row;
 
 namespace {
 
@@ -22,12 +21,6 @@ constexpr std::array<int, 3> kEdgeSteps{0, 1, 5};
 
 constexpr std::size_t kMinRows = 10, kMinEdges = 10, kMinPlanars = 100;  // LeGO-LOAM
 constexpr std::size_t kMostSources = kNumRings * 6 * 20;
-
-float seconds_before(const Sweep& sweep, std::uint32_t i) noexcept {
-  if (sweep.motion.is_compensated) return 0.0F;
-  return static_cast<float>(sweep.motion.reference_ns - sweep.header.start_ns - sweep.time_offset_ns[i]) *
-         1e-9F;
-}
 
 /// Of each row's features those that `takes`, thinned to means of voxels.
 template <typename Takes>
@@ -46,7 +39,7 @@ RowCloud rows_of(const Sweep& sweep,
       const std::uint32_t i = list[n];
       if (!takes(i)) continue;
       row_points.push_back(
-          to_reference({sweep.x_m[i], sweep.y_m[i], sweep.z_m[i]}, seconds_before(sweep, i)));
+          to_reference({sweep.x_m[i], sweep.y_m[i], sweep.z_m[i]}, sweep.before_reference_s(i)));
     }
     registration::voxel_means(row_points, voxel_m, cloud.points);
     cloud.begin[row + 1] = static_cast<std::uint32_t>(cloud.points.size());
@@ -54,15 +47,9 @@ RowCloud rows_of(const Sweep& sweep,
   return cloud;
 }
 
-/// Takes out of a step the directions whose eigenvalue is too small: LOAM's matP.
 Eigen::Matrix3d strong_directions(const Eigen::Matrix3d& H, double min_eigenvalue) noexcept {
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> axes(H);
-  Eigen::Matrix3d strong = Eigen::Matrix3d::Zero();
-  for (int i = 0; i < 3; ++i) {
-    const Eigen::Vector3d axis = axes.eigenvectors().col(i);
-    if (axes.eigenvalues()[i] >= min_eigenvalue) strong += axis * axis.transpose();
-  }
-  return strong;
+  return registration::strong_directions<3>(axes.eigenvalues(), axes.eigenvectors(), min_eigenvalue);
 }
 
 }  // namespace
@@ -191,19 +178,15 @@ int LoamRegistration::run_step(const std::array<int, 3>& dofs,
   return most;
 }
 
-// LOAM multiplies both the row and its residual by s: in the normal equations that is s squared.
 void LoamRegistration::add_row(const Eigen::Vector3d& source,
                                const Offset& offset,
                                double range_factor,
                                bool is_weighted) noexcept {
-  constexpr double kSlope = 1.8, kLeast = 0.1;
+  constexpr double kSlope = 1.8;
+  if (offset.distance_m == 0.0) return;
   const double s = is_weighted ? 1.0 - kSlope * std::abs(offset.distance_m) / range_factor : 1.0;
-  if (!(s > kLeast) || offset.distance_m == 0.0) return;
-  const Eigen::Vector3d normal = T_.linear().transpose() * offset.normal;
-  Row row = registration::plane_row(source.cast<float>(), normal.cast<float>(),
-                                    static_cast<float>(offset.distance_m), 1.0F);
-  row.kernel_weight = static_cast<float>(s * s);
-  rows_.push_back(row);
+  if (const auto row = registration::loam_row(T_, source, offset.normal, offset.distance_m, s))
+    rows_.push_back(*row);
 }
 
 void LoamRegistration::add_plane_rows(bool is_weighted) noexcept {

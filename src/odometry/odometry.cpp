@@ -20,9 +20,7 @@ constexpr double kNominalSweep_s = 0.1;
 constexpr double kLongestGap_s = 10.0;
 
 void add_to(PointCloud& cloud, const Sweep& sweep, std::uint32_t i) noexcept {
-  const std::int64_t before_ns = sweep.motion.reference_ns - sweep.header.start_ns - sweep.time_offset_ns[i];
-  const float before_s = sweep.motion.is_compensated ? 0.0F : static_cast<float>(seconds(before_ns));
-  cloud.add({sweep.x_m[i], sweep.y_m[i], sweep.z_m[i]}, before_s, sweep.ring[i]);
+  cloud.add({sweep.x_m[i], sweep.y_m[i], sweep.z_m[i]}, sweep.before_reference_s(i), sweep.ring[i]);
 }
 
 void load(FeatureSet& set,

@@ -33,13 +33,13 @@ void add(std::vector<LatencySeries>& all,
   if (!series.ms.empty()) all.push_back(std::move(series));
 }
 
-std::int64_t cpu_of_all(const LatencyRow& row) {
+}  // namespace
+
+std::int64_t cpu_of_all_ns(const LatencyRow& row) noexcept {
   std::int64_t sum_ns = 0;
   for (const StageSplit& split : row.stages) sum_ns += split.cpu_ns;
-  return row.first_pose_ns < 0 ? -1 : sum_ns;
+  return sum_ns;
 }
-
-}  // namespace
 
 std::vector<LatencySeries> latency_series(const std::vector<LatencyRow>& rows) {
   std::vector<LatencySeries> all;
@@ -48,7 +48,8 @@ std::vector<LatencySeries> latency_series(const std::vector<LatencyRow>& rows) {
     add(all, rows, name, true,
         [i](const LatencyRow& r) { return r.stages[i].ran ? r.stages[i].cpu_ns : -1; });
   }
-  add(all, rows, "all stages", true, cpu_of_all);
+  add(all, rows, "all stages", true,
+      [](const LatencyRow& r) { return r.first_pose_ns < 0 ? -1 : cpu_of_all_ns(r); });
   add(all, rows, "first pose", false, [](const LatencyRow& r) { return r.first_pose_ns; });
   add(all, rows, "refined pose", false, [](const LatencyRow& r) { return r.refined_pose_ns; });
   return all;

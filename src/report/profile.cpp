@@ -87,6 +87,7 @@ DeadlineMisses deadline_misses(const output::RunFiles& run, double deadline_ms) 
   DeadlineMisses misses;
   if (!run.facts.is_live) return misses;
   for (const LatencyRow& row : run.latency) {
+    if (row.first_pose_ns < 0) continue;
     ++misses.of;
     const bool is_late = row.refined_pose_ns < 0 || milliseconds(row.refined_pose_ns) > deadline_ms;
     misses.late += is_late ? 1U : 0U;

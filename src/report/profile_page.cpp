@@ -62,13 +62,8 @@ std::string costliest_sweeps(const TimedRun& run) {
   constexpr std::size_t kShown = 20;
   std::vector<const output::LatencyRow*> rows;
   for (const output::LatencyRow& row : run.files.latency) rows.push_back(&row);
-  const auto cpu_ns = [](const output::LatencyRow* row) {
-    std::int64_t sum = 0;
-    for (const output::StageSplit& split : row->stages) sum += split.cpu_ns;
-    return sum;
-  };
   std::stable_sort(rows.begin(), rows.end(),
-                   [&](const auto* a, const auto* b) { return cpu_ns(a) > cpu_ns(b); });
+                   [&](const auto* a, const auto* b) { return cpu_of_all_ns(*a) > cpu_of_all_ns(*b); });
   rows.resize(std::min(rows.size(), kShown));
   page::Table table{{"sweep"}, {}};
   for (std::size_t stage = 0; stage < kNumStages; ++stage)
@@ -78,7 +73,7 @@ std::string costliest_sweeps(const TimedRun& run) {
     std::vector<page::Cell> cells{{std::to_string(row->sequence)}};
     for (const output::StageSplit& split : row->stages)
       cells.push_back({split.ran ? number(milliseconds(split.cpu_ns)) : std::string("–")});
-    cells.push_back({number(milliseconds(cpu_ns(row)))});
+    cells.push_back({number(milliseconds(cpu_of_all_ns(*row)))});
     table.rows.push_back(std::move(cells));
   }
   return page::table(table);

@@ -19,7 +19,6 @@ static_assert(Stage<GroundStage>);
 
 namespace {
 
-constexpr double kDegree = std::numbers::pi / 180.0;
 
 /// A street between houses, with cars.
 Scene street() {

@@ -69,6 +69,9 @@ TEST_CASE("a pose that is late or missing is a miss of its deadline", "[report][
   run.files.latency[0].refined_pose_ns = -1;
   CHECK(deadline_misses(run.files, 120.0).late == 1);
   CHECK(deadline_misses(run.files, 120.0).of == 100);
+  run.files.latency[0].first_pose_ns = -1;  // a part of a rotation, or dropped
+  CHECK(deadline_misses(run.files, 120.0).late == 0);
+  CHECK(deadline_misses(run.files, 120.0).of == 99);
 }
 
 TEST_CASE("runs are compared sweep by sweep, by number", "[report][profile]") {

@@ -10,6 +10,7 @@
 #include "pago/core/aligned_array.hpp"
 #include "pago/core/estimate.hpp"
 #include "pago/core/range_image.hpp"
+#include "pago/core/units.hpp"
 
 namespace pago {
 
@@ -116,11 +117,13 @@ struct RefinedState {
   bool is_placed = false;                                              ///< the pose below is one
   bool has_motion = false;                                             ///< it is known how the sensor moves
   Eigen::Isometry3d T_odom_reference = Eigen::Isometry3d::Identity();  ///< at the reference instant
-  Vector6d twist = Vector6d::Zero();         ///< per second, sensor frame, mean over the last period
-  Vector6d acceleration = Vector6d::Zero();  ///< of that twist, smoothed
-  double period_s = 0.0;                     ///< the last one
+  Vector6d twist = Vector6d::Zero();  ///< per second, sensor frame, mean over the last period
+  /// Of that twist; so that twist_at() holds half way from the reference instant to the sweep's end, where
+  /// poses are carried from the one to the other.
+  Vector6d acceleration = Vector6d::Zero();
+  double period_s = 0.0;  ///< the last one
 
-  /// The twist at an instant so long after the reference instant.
+  /// The twist at an instant so long after the reference instant: best half way to the sweep's end.
   Vector6d twist_at(double after_s) const noexcept {
     return twist + (0.5 * period_s + after_s) * acceleration;
   }
@@ -188,6 +191,13 @@ struct Sweep {
 
   // --- runner
   std::array<StageTime, kNumStages> times{};
+
+  /// How long before the reference instant of `motion` a return was fired, in seconds; may be negative. 0 in
+  /// a compensated sweep.
+  float before_reference_s(std::uint32_t i) const noexcept {
+    if (motion.is_compensated) return 0.0F;
+    return static_cast<float>(seconds(motion.reference_ns - header.start_ns - time_offset_ns[i]));
+  }
 
   std::uint32_t capacity() const noexcept { return static_cast<std::uint32_t>(x_m.size()); }
   StageTime& time_of(StageId stage) noexcept { return times[static_cast<std::size_t>(stage)]; }

@@ -82,7 +82,7 @@ class JointRegistration {
              const Vector6d& twist,
              const JointLimits& limits) noexcept;
   void weigh(double kernel_min_m) noexcept;
-  void add_bend(BendEquations& sum) const noexcept;
+  BendEquations bend_equations() const noexcept;
   void measure(JointResult& result) const noexcept;
 
   MappingConfig config_;

@@ -29,11 +29,6 @@ class Mapper {
   }
   void reset() noexcept { cells_ ? cells_->reset() : keyframes_->reset(); }
 
-  /// See MappingStage; keyframes know no budget.
-  void set_budget(const Budget& budget) noexcept {
-    if (cells_) cells_->set_budget(budget);
-  }
-
   const RefinedState& refined() const noexcept { return cells_ ? cells_->refined() : keyframes_->refined(); }
 
  private:

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -17,6 +18,9 @@ struct LatencySeries {
   std::vector<double> ms;
   std::vector<double> sweeps;  ///< their numbers
 };
+
+/// Thread CPU time of all stages on a sweep.
+std::int64_t cpu_of_all_ns(const output::LatencyRow& row) noexcept;
 
 /// CPU time of each stage that ran and of all together, and the wall time from the last packet to the poses.
 std::vector<LatencySeries> latency_series(const std::vector<output::LatencyRow>& rows);

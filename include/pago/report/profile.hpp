@@ -33,6 +33,7 @@ struct ProfileRow {
 std::vector<ProfileRow> profile_rows(const output::RunFiles& run);
 
 /// Sweeps of a live run whose refined pose came later than this after their last packet, or not at all.
+/// Sweeps without a first pose, partial and dropped ones, have no deadline: they are counted elsewhere.
 struct DeadlineMisses {
   std::size_t late = 0, of = 0;
 };

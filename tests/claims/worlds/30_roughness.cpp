@@ -7,15 +7,15 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <filesystem>
-#include <fstream>
 #include <numbers>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
 #include "drivers/simulator/scan_collector.hpp"
 #include "drivers/simulator/surface.hpp"
 #include "pago/config/config.hpp"
+#include "pago/kitti/kitti_source.hpp"
 #include "pago/simulator/simulator.hpp"
 #include "tests/claims/report.hpp"
 
@@ -33,24 +33,14 @@ struct Return {
 };
 using Scan = std::vector<Return>;
 
-template <typename T>
-std::vector<T> read_all(const std::filesystem::path& file) {
-  std::vector<T> result(std::filesystem::file_size(file) / sizeof(T));
-  std::ifstream(file, std::ios::binary)
-      .read(reinterpret_cast<char*>(result.data()), static_cast<std::streamsize>(result.size() * sizeof(T)));
-  return result;
-}
-
 Scan real_scan() {
-  const auto points =
-      read_all<std::array<float, 4>>(claims::recording("kitti/semantickitti_single/velodyne/000000.bin"));
-  const auto labels =
-      read_all<std::uint32_t>(claims::recording("kitti/semantickitti_single/labels/000000.label"));
+  KittiSource source(claims::recording("kitti/semantickitti_single"));
+  Sweep sweep(KittiSource::kMaxPoints);
+  if (!source.fill(sweep)) throw std::runtime_error("the scan cannot be read: " + source.complaint());
   Scan scan;
-  for (std::size_t i = 0; i < std::min(points.size(), labels.size()); ++i) {
-    const auto& p = points[i];
-    scan.push_back({std::hypot(double{p[0]}, double{p[1]}, double{p[2]}),
-                    std::atan2(double{p[1]}, double{p[0]}), labels[i] & 0xFFFFU});
+  for (std::uint32_t i = 0; i < sweep.size; ++i) {
+    const double x_m{sweep.x_m[i]}, y_m{sweep.y_m[i]}, z_m{sweep.z_m[i]};
+    scan.push_back({std::hypot(x_m, y_m, z_m), std::atan2(y_m, x_m), sweep.label[i]});
   }
   return scan;
 }
