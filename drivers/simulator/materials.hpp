@@ -12,8 +12,13 @@ struct Optics {
   double shine;         ///< part of the light that is mirrored away unless the beam comes square on
   double transmission;  ///< chance that the beam goes through
   double pile_m;        ///< depth of blades and twigs that it may be stopped in before it reaches the surface
+  double relief_m;      ///< amplitude of hollows and rises too small for the mesh of triangles
 };
 const Optics& optics(Material material) noexcept;
+
+/// How high a surface stands out of its triangles at this place of the world. Places next to each other are
+/// about as high; a place is as high whenever it is seen.
+double relief_m(Material material, double x_m, double y_m) noexcept;
 
 /// 0.4 to 1.6 of the material's own, by shade.
 inline double reflectivity(const Surface& surface) noexcept {

@@ -127,14 +127,21 @@ void Sensor::spread(Volley& volley) const {
   }
 }
 
+// What stands out of its triangle is met earlier, by more the flatter the beam comes in.
 Echo Sensor::echo_of(const Volley& volley,
                      std::size_t i,
                      const RayPacket& rays,
-                     const Hit& hit) const noexcept {
+                     const Hit& hit,
+                     const Eigen::Vector3d& origin) const noexcept {
+  constexpr double kFlattest = 0.08;
   const Beam& beam = volley.beams[i];
+  const Eigen::Vector3d at = origin + (rays.foot(i) + hit.range_m * rays.way(i)).cast<double>();
+  const double cos_incidence = std::abs(double{hit.normal.normalized().dot(rays.way(i))});
+  const double range_m = double{hit.range_m} -
+                         relief_m(hit.surface.material, at.x(), at.y()) / std::max(kFlattest, cos_incidence);
   const Eigen::Vector3d normal = beam.R_world_sensor.transpose() * hit.normal.cast<double>();
-  return {.range_m = lines_[volley.laser].measured_m(beam.heading, double{hit.range_m}, normal),
-          .cos_incidence = std::abs(double{hit.normal.normalized().dot(rays.way(i))}),
+  return {.range_m = lines_[volley.laser].measured_m(beam.heading, range_m, normal),
+          .cos_incidence = cos_incidence,
           .surface = hit.surface};
 }
 
@@ -145,14 +152,14 @@ Returns Sensor::sense(Volley& volley, std::size_t i, const RayCaster& scene, con
   std::array<Echo, 2> echoes;
   std::size_t n = 0;
   const Hit hit = meet(scene, traffic, volley.movers, volley.rays, i, volley.hits[i], t_s, random);
-  if (hit.is_there()) echoes[n++] = echo_of(volley, i, volley.rays, hit);
+  if (hit.is_there()) echoes[n++] = echo_of(volley, i, volley.rays, hit, scene.origin());
   if (setup_.has_wide_beams) {
     const Hit other = meet(scene, traffic, volley.movers, volley.aside, i, volley.aside_hits[i], t_s, random);
     const double share = random.between(0.0, 0.5);
     if (is_edge(volley.rays.way(i), hit, volley.aside.way(i), other)) {
       if (n > 0) echoes[0].share = 1.0 - share;
       if (other.is_there()) {
-        echoes[n] = echo_of(volley, i, volley.aside, other);
+        echoes[n] = echo_of(volley, i, volley.aside, other, scene.origin());
         echoes[n++].share = share;
       }
     }

@@ -90,7 +90,11 @@ class Sensor {
   void aim(Volley& volley, const Eigen::Vector3d& origin) const;
   void spread(Volley& volley) const;
   Returns sense(Volley& volley, std::size_t i, const RayCaster& scene, const Traffic& traffic) const;
-  Echo echo_of(const Volley& volley, std::size_t i, const RayPacket& rays, const Hit& hit) const noexcept;
+  Echo echo_of(const Volley& volley,
+               std::size_t i,
+               const RayPacket& rays,
+               const Hit& hit,
+               const Eigen::Vector3d& origin) const noexcept;
   Slot slot_of(std::size_t laser, const Return& from) const noexcept;
 
   SensorSetup setup_;

@@ -93,7 +93,8 @@ void apply_toml(Config& config, std::string_view text, const std::string& name) 
   Config changed = config;
   const Settings settings = config::settings_of(changed);
   std::vector<Entry> entries = config::parse_toml(text, name);
-  std::ranges::stable_partition(entries, [](const Entry& entry) { return entry.key == kPreset; });
+  std::stable_partition(entries.begin(), entries.end(),
+                        [](const Entry& entry) { return entry.key == kPreset; });
   for (const Entry& entry : entries) {
     apply(settings, entry, name + ":" + std::to_string(entry.line));
     if (entry.key == kPreset) apply_preset(changed, changed.preset);
