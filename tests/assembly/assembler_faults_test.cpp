@@ -11,13 +11,12 @@
 
 using namespace pago;
 using namespace pago::test;
-using Rig = AssemblerRig;
 
 TEST_CASE("lost firings leave their columns empty and are counted where they were due",
           "[assembly][assembler]") {
   std::mt19937 random(3);
   for (int trial = 0; trial < 30; ++trial) {
-    Rig rig;
+    AssemblerRig rig;
     const Head head{.rate_rev_s = 7.0 + 0.4 * trial, .missing = 90};
     int lost = 0, sent = 0;
     for (int i = 0; i < 12'000; ++i) {
@@ -39,7 +38,7 @@ TEST_CASE("lost firings leave their columns empty and are counted where they wer
 }
 
 TEST_CASE("columns after a loss are where they would have been without it", "[assembly][assembler]") {
-  Rig whole, holed;
+  AssemblerRig whole, holed;
   whole.collector.with_digest = holed.collector.with_digest = true;
   std::vector<std::uint16_t> columns_whole, columns_holed;
   const auto keep = [](std::vector<std::uint16_t>& into) {
@@ -59,7 +58,7 @@ TEST_CASE("columns after a loss are where they would have been without it", "[as
 }
 
 TEST_CASE("a gap over a cut is shared out, one over rotations is flagged", "[assembly][assembler]") {
-  Rig rig;
+  AssemblerRig rig;
   rig.add({}, 0, 1900);  // 2083.3 firings a rotation
   rig.add({}, 2400, 4000);
   rig.add({}, 9000, 10'500);
@@ -77,7 +76,7 @@ TEST_CASE("a gap over a cut is shared out, one over rotations is flagged", "[ass
 }
 
 TEST_CASE("an interrupted stream goes on in a new sweep", "[assembly][assembler]") {
-  Rig rig;
+  AssemblerRig rig;
   rig.add({}, 0, 3000);
   rig.assembler.interrupt();
   rig.assembler.interrupt();
@@ -94,7 +93,7 @@ TEST_CASE("an interrupted stream goes on in a new sweep", "[assembly][assembler]
 
 TEST_CASE("a head that slows down below 5 Hz fills sweeps that are closed early, one per rotation",
           "[assembly][assembler]") {
-  Rig rig;
+  AssemblerRig rig;
   const Head head{.rate_rev_s = 3.0, .missing = 50};
   rig.add(head, 0, 3 * 6945);
   rig.assembler.finish();
@@ -110,7 +109,7 @@ TEST_CASE("a head that slows down below 5 Hz fills sweeps that are closed early,
 
 TEST_CASE("a sweep that is full of returns is closed early, and the next one begins at the cut",
           "[assembly][assembler]") {
-  Rig rig({}, 3, 64'000);
+  AssemblerRig rig({}, 3, 64'000);
   rig.add({.missing = 0}, 0, 5000);
   REQUIRE(rig.collector.sweeps.size() == 2);
   for (std::size_t i = 0; i < 2; ++i) {
@@ -124,7 +123,7 @@ TEST_CASE("a sweep that is full of returns is closed early, and the next one beg
 }
 
 TEST_CASE("when no sweep is free the newest rotation is kept", "[assembly][assembler]") {
-  Rig rig({}, 2);
+  AssemblerRig rig({}, 2);
   rig.collector.frees_at_once = false;
   rig.add({}, 0, 6 * 2084);  // sweep 0 is handed on, then there is no second one for 1, 2, 3, 4
   REQUIRE(rig.collector.sweeps.size() == 1);
@@ -142,7 +141,7 @@ TEST_CASE("when no sweep is free the newest rotation is kept", "[assembly][assem
 }
 
 TEST_CASE("malformed datagrams are noted in the sweep they came in", "[assembly][assembler]") {
-  Rig rig;
+  AssemblerRig rig;
   rig.assembler.note_bad_packet();
   rig.add({}, 0, 1000);
   rig.assembler.note_bad_packet();

@@ -9,14 +9,13 @@
 
 using namespace pago;
 using namespace pago::test;
-using Rig = AssemblerRig;
 
 TEST_CASE("sectors cover the sweep, and none changes after it was handed on", "[assembly][assembler]") {
   for (const int sectors : {2, 6, 7, 36, 72}) {
     INFO(sectors << " sectors");
     AssemblyConfig config;
     config.sectors = sectors;
-    Rig rig(config), whole;
+    AssemblerRig rig(config), whole;
     rig.collector.with_digest = whole.collector.with_digest = true;
     std::vector<std::int32_t> cells(kNumRings * kMaxColumns);  // as they were when they were closed
     std::uint32_t columns_until = 0, returns_until = 0;
@@ -50,7 +49,7 @@ TEST_CASE("sectors cover the sweep, and none changes after it was handed on", "[
 TEST_CASE("a sweep has no more parts than sectors, however the head slows down", "[assembly][assembler]") {
   AssemblyConfig config;
   config.sectors = 12;
-  Rig rig(config);
+  AssemblerRig rig(config);
   double turned = 0.5;
   for (int i = 0; i < 12'000; ++i) {
     const double rate_rev_s = 20.0 - 15.0 * i / 12'000.0;
@@ -68,7 +67,7 @@ TEST_CASE("a sweep has no more parts than sectors, however the head slows down",
 TEST_CASE("a sweep begun in sectors is finished though no other is free", "[assembly][assembler]") {
   AssemblyConfig config;
   config.sectors = 6;
-  Rig rig(config, 2);
+  AssemblerRig rig(config, 2);
   rig.collector.frees_at_once = false;
   rig.add({}, 0, 5 * 2084);
   REQUIRE(rig.collector.sweeps.size() == 2);

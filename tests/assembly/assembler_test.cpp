@@ -10,11 +10,10 @@
 
 using namespace pago;
 using namespace pago::test;
-using Rig = AssemblerRig;
 
 TEST_CASE("a return's column is its firing's, moved against its laser's rotCorrection and wrapped",
           "[assembly][assembler]") {
-  Rig rig;
+  AssemblerRig rig;
   const Head head{.rate_rev_s = 9.6517};
   const double step_deg = head.rate_rev_s * 360.0 * 48e-6;
   int checked = 0;
@@ -40,7 +39,7 @@ TEST_CASE("a return's column is its firing's, moved against its laser's rotCorre
 }
 
 TEST_CASE("a steady head gives whole sweeps with full headers", "[assembly][assembler]") {
-  Rig rig;
+  AssemblerRig rig;
   rig.add({}, 0, 4 * 2084);
   REQUIRE(rig.collector.sweeps.size() == 4);
   std::int64_t end_ns = kOrigin;
@@ -72,7 +71,7 @@ TEST_CASE("sweeps are cut at any angle and from any start, within half a firing"
     const Head head{.rate_rev_s = 5.0 + 15.0 * unit(random), .start_rev = 40.0 * unit(random), .missing = 95};
     const double step = head.rate_rev_s * 48e-6;
     INFO("cut " << cut_deg << " rate " << head.rate_rev_s << " start " << head.start_rev);
-    Rig rig(cut_at(cut_deg));
+    AssemblerRig rig(cut_at(cut_deg));
     rig.collector.on_part = [&](const SweepPart& part) {
       const SweepHeader& h = part.sweep->header;
       if (h.has(kPartialStart) || h.sequence == 0) return;
@@ -105,7 +104,7 @@ TEST_CASE("a stream that starts within one firing of the cut starts with a whole
   const double step = 10.0 * 48e-6;
   for (const double offset : {-0.99, -0.6, -0.4, -0.01, 0.0, 0.01, 0.4, 0.9}) {
     INFO(offset << " firings after the cut");
-    Rig rig;
+    AssemblerRig rig;
     rig.add({.start_rev = 7.5 + offset * step}, 0, 3 * 2084);
     REQUIRE(rig.collector.sweeps.size() >= 2);
     CHECK(rig.header(0).flags == 0);
@@ -117,7 +116,7 @@ TEST_CASE("a stream that starts within one firing of the cut starts with a whole
 }
 
 TEST_CASE("a partial sweep's columns keep their angles", "[assembly][assembler]") {
-  Rig rig;
+  AssemblerRig rig;
   const Head head{.start_rev = 0.75};  // a quarter after the cut
   rig.collector.on_part = [&](const SweepPart& part) {
     const Sweep& sweep = *part.sweep;
@@ -142,7 +141,7 @@ TEST_CASE("a partial sweep's columns keep their angles", "[assembly][assembler]"
 }
 
 TEST_CASE("a stream inside one rotation is partial at both ends", "[assembly][assembler]") {
-  Rig rig;
+  AssemblerRig rig;
   rig.add({.start_rev = 0.8}, 0, 300);
   rig.assembler.finish();
   REQUIRE(rig.collector.sweeps.size() == 1);
@@ -151,7 +150,7 @@ TEST_CASE("a stream inside one rotation is partial at both ends", "[assembly][as
 }
 
 TEST_CASE("firings without returns make a sweep all the same", "[assembly][assembler]") {
-  Rig rig;
+  AssemblerRig rig;
   rig.add({.missing = 100}, 0, 2100);
   REQUIRE(rig.collector.sweeps.size() == 1);
   CHECK(rig.collector.sweeps[0].size == 0);

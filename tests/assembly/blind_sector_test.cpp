@@ -9,7 +9,6 @@
 
 using namespace pago;
 using namespace pago::test;
-using Rig = IngestRig;
 
 namespace {
 
@@ -29,7 +28,7 @@ struct LimitedView {
     return i;
   }
   /// Pushes what is sent of packets [begin, end); returns how many that was.
-  std::uint64_t push(Rig& rig, int begin, int end) const {
+  std::uint64_t push(IngestRig& rig, int begin, int end) const {
     std::uint64_t sent = 0;
     for (int i = begin; i < end; ++i) {
       if (!is_sent(i)) continue;
@@ -87,7 +86,7 @@ TEST_CASE("a limited field of view is found out, loses nothing, and gives a swee
       const LimitedView view{.half_deg = half_deg};
       AssemblyConfig config;
       config.cut_azimuth_deg = cut_deg;
-      Rig rig(config);
+      IngestRig rig(config);
       double worst_deg = 0.0;
       std::int64_t packet_0_ns = 0;
       rig.collector.on_part = [&](const SweepPart& part) {
@@ -120,7 +119,7 @@ TEST_CASE("a limited field of view is found out, loses nothing, and gives a swee
 TEST_CASE("a sweep of a limited view ends with the view, not with the next turn",
           "[assembly][blind_sector]") {
   const LimitedView view{.half_deg = 45.0};
-  Rig rig;
+  IngestRig rig;
   std::vector<std::int64_t> waits_ns;
   std::int64_t now_ns = 0;
   rig.collector.on_part = [&](const SweepPart& part) {
@@ -137,7 +136,7 @@ TEST_CASE("a sweep of a limited view ends with the view, not with the next turn"
 
 TEST_CASE("losses within a limited view are counted to the packet", "[assembly][blind_sector]") {
   const LimitedView view;
-  Rig rig;
+  IngestRig rig;
   view.push(rig, 0, 3000);
   CHECK(rig.ingest.firings().lost == 0);
   std::uint64_t lost = 0;
@@ -155,7 +154,7 @@ TEST_CASE("losses within a limited view are counted to the packet", "[assembly][
 
 TEST_CASE("a view that is opened again is seen in the same turn", "[assembly][blind_sector]") {
   const LimitedView view;
-  Rig rig;
+  IngestRig rig;
   view.push(rig, 0, 3000);
   CHECK(rig.ingest.is_view_limited());
   rig.push(view.stream, 3000, 6000);

@@ -10,13 +10,12 @@
 
 using namespace pago;
 using namespace pago::test;
-using Rig = IngestRig;
 
 namespace {
 
 /// The largest error of a return's direction over a whole stream, from which sweep 0 starts with packet 0.
 struct Worst {
-  Worst(Rig& rig, const StreamSettings& settings) {
+  Worst(IngestRig& rig, const StreamSettings& settings) {
     rig.collector.on_part = [this, settings](const SweepPart& part) {
       if (origin_ns == 0) origin_ns = part.sweep->header.start_ns;
       error_deg = std::max(error_deg, largest_error_deg(*part.sweep, settings, origin_ns));
@@ -40,7 +39,7 @@ TEST_CASE("every model is found out, and none of its packets lost", "[assembly][
     for (const double rotation_hz : {5.5, 10.0, 15.0}) {
       const StreamSettings settings{.rotation_hz = rotation_hz, .azimuth_deg = 181.0, .format = format};
       INFO(hdl64::name(format.kind) << ", " << format.firing_period_ns << " ns, " << rotation_hz << " Hz");
-      Rig rig;
+      IngestRig rig;
       const Worst worst(rig, settings);
       const int packets = packets_of(settings);
       rig.push(PacketStream(settings), 0, packets);
@@ -67,7 +66,7 @@ TEST_CASE("every model is found out, and none of its packets lost", "[assembly][
 TEST_CASE("equal returns of dual mode are one, and fill the range image as single mode does",
           "[assembly][models]") {
   const StreamSettings settings{.format = dual_return()};
-  Rig rig;
+  IngestRig rig;
   rig.push(PacketStream(settings), 0, packets_of(settings));
   REQUIRE(rig.collector.sweeps.size() == 3);
   for (std::size_t i = 0; i < 3; ++i)
@@ -77,7 +76,7 @@ TEST_CASE("equal returns of dual mode are one, and fill the range image as singl
 TEST_CASE("the weaker of two returns is kept beside the image, with the stronger one's ring and column",
           "[assembly][models]") {
   const StreamSettings settings{.raw = 3000, .format = dual_return(), .second_raw = 5000};
-  Rig rig;
+  IngestRig rig;
   int checked = 0;
   rig.collector.allows_echoes = true;
   rig.collector.on_part = [&](const SweepPart& part) {
@@ -121,7 +120,7 @@ TEST_CASE("a slow head in dual-return mode needs 460,800 returns and no more", "
 
 TEST_CASE("an S1's lower rings have a return in every third column", "[assembly][models]") {
   const StreamSettings settings{.format = s1()};
-  Rig rig;
+  IngestRig rig;
   rig.collector.on_part = [&](const SweepPart& part) {
     const Sweep& sweep = *part.sweep;
     for (const int ring : {0, 31, 32, 63}) {
@@ -141,7 +140,7 @@ TEST_CASE("an S1's uneven firing times are found from its azimuths", "[assembly]
   for (std::size_t block = 1; block < hdl64::kBlocks; ++block)
     settings.block_times_ns[block] = settings.block_times_ns[block - 1] + (block % 4 == 0 ? 53'805 : 24'800);
   const PacketStream stream(settings);
-  Rig rig;
+  IngestRig rig;
   double worst_deg = 0.0;
   std::int64_t origin_ns = 0;
   rig.collector.on_part = [&](const SweepPart& part) {

@@ -12,7 +12,6 @@
 
 using namespace pago;
 using namespace pago::test;
-using Rig = IngestRig;
 
 TEST_CASE("whatever is lost is counted to the packet, and nothing else suffers",
           "[assembly][packet_ingest]") {
@@ -20,7 +19,7 @@ TEST_CASE("whatever is lost is counted to the packet, and nothing else suffers",
     std::mt19937 random(seed);
     const StreamSettings settings{.rotation_hz = 10.0 + 0.3 * seed, .azimuth_deg = 33.0 * seed};
     const PacketStream stream(settings);
-    Rig rig;
+    IngestRig rig;
     double worst_deg = 0.0;
     std::int64_t origin_ns = 0;
     rig.collector.on_part = [&](const SweepPart& part) {
@@ -54,7 +53,7 @@ TEST_CASE("a silence is measured by the sensor's clock and turns count on", "[as
     INFO(missing << " packets missing");
     const StreamSettings settings;
     const PacketStream stream(settings);
-    Rig rig;
+    IngestRig rig;
     double worst_deg = 0.0;
     std::int64_t origin_ns = 0;
     rig.collector.on_part = [&](const SweepPart& part) {
@@ -82,7 +81,7 @@ TEST_CASE("a sensor that is switched off and on is found again", "[assembly][pac
   StreamSettings later{.rotation_hz = 15.0, .azimuth_deg = 77.0, .stamp_us = stamp_us};
   later.arrival_ns += 20'000'000'000;
   const PacketStream after(later);
-  Rig rig;
+  IngestRig rig;
   double worst_deg = 0.0;
   std::int64_t origin_ns = 0;
   rig.push(before, 0, 1000);
@@ -110,7 +109,7 @@ TEST_CASE("a head that leaps is followed from the first packet on", "[assembly][
   StreamSettings settings;
   settings.azimuth_deg += 100.0;
   const PacketStream leapt(settings);
-  Rig rig;
+  IngestRig rig;
   rig.push(before, 0, 1000);
   double worst_deg = 0.0;
   std::int64_t leap_ns = 0;
@@ -131,7 +130,7 @@ TEST_CASE("a packet of wrong azimuths delays the stream but not its order or ang
           "[assembly][packet_ingest]") {
   const StreamSettings settings;
   const PacketStream stream(settings);
-  Rig rig;
+  IngestRig rig;
   std::int64_t origin_ns = 0;
   double worst_deg = 0.0;
   rig.collector.on_part = [&](const SweepPart& part) {
@@ -154,7 +153,7 @@ TEST_CASE("a packet of wrong azimuths delays the stream but not its order or ang
 TEST_CASE("a head at rest gives no sweeps, and says so", "[assembly][packet_ingest]") {
   StreamSettings standing{.rotation_hz = 0.0};
   const PacketStream stream(standing);
-  Rig rig;
+  IngestRig rig;
   rig.push(stream, 0, 500);
   CHECK(rig.ingest.rotation_hz() == 0.0);
   CHECK(rig.ingest.packets().decoded == 500);
@@ -165,7 +164,7 @@ TEST_CASE("a head at rest gives no sweeps, and says so", "[assembly][packet_inge
 
 TEST_CASE("a stalled consumer costs whole rotations, all of them counted", "[assembly][packet_ingest]") {
   const PacketStream stream;
-  Rig rig({}, 2);
+  IngestRig rig({}, 2);
   rig.collector.frees_at_once = false;
   rig.push(stream, 0, 4000);
   rig.finish();

@@ -9,7 +9,6 @@
 
 using namespace pago;
 using namespace pago::test;
-using Rig = IngestRig;
 
 TEST_CASE("from 5 to 20 Hz every packet is used and every return points where the head did",
           "[assembly][packet_ingest]") {
@@ -17,7 +16,7 @@ TEST_CASE("from 5 to 20 Hz every packet is used and every return points where th
     INFO(rate_hz << " Hz");
     const StreamSettings settings{.rotation_hz = rate_hz, .azimuth_deg = 200.0};
     const PacketStream stream(settings);
-    Rig rig;
+    IngestRig rig;
     double worst_deg = 0.0;
     std::int64_t origin_ns = 0;
     rig.collector.on_part = [&](const SweepPart& part) {
@@ -44,7 +43,7 @@ TEST_CASE("from 5 to 20 Hz every packet is used and every return points where th
 
 TEST_CASE("time runs on over the top of the hour", "[assembly][packet_ingest]") {
   const PacketStream stream({.azimuth_deg = 0.0, .stamp_us = 3'599'850'000});
-  Rig rig;
+  IngestRig rig;
   rig.push(stream, 0, 2000);
   REQUIRE(rig.collector.sweeps.size() >= 5);
   for (std::size_t i = 1; i < rig.collector.sweeps.size(); ++i)
@@ -73,7 +72,7 @@ TEST_CASE("the setting packet_stamp moves sensor time by one packet", "[assembly
 
 TEST_CASE("doubled and overtaken packets leave no trace but in the counters", "[assembly][packet_ingest]") {
   const PacketStream stream;
-  Rig orderly, disorderly;
+  IngestRig orderly, disorderly;
   orderly.collector.with_digest = disorderly.collector.with_digest = true;
   orderly.push(stream, 0, 2000);
   orderly.finish();
@@ -99,7 +98,7 @@ TEST_CASE("doubled and overtaken packets leave no trace but in the counters", "[
 
 TEST_CASE("malformed datagrams are counted by reason and noted in their sweep", "[assembly][packet_ingest]") {
   const PacketStream stream;
-  Rig rig;
+  IngestRig rig;
   rig.push(stream, 0, 700);
   PacketBuilder builder;
   builder.azimuths_cdeg(100, 18);
@@ -121,7 +120,7 @@ TEST_CASE("malformed datagrams are counted by reason and noted in their sweep", 
 }
 
 TEST_CASE("a stream of another sensor is refused by name and not decoded", "[assembly][packet_ingest]") {
-  Rig rig;
+  IngestRig rig;
   PacketBuilder builder;
   for (int block = 0; block < hdl64::kBlocks; ++block) builder.flag(block, hdl64::kUpperBlock);
   for (int i = 0; i < 200; ++i)
@@ -143,7 +142,7 @@ TEST_CASE("a stream of another sensor is refused by name and not decoded", "[ass
 }
 
 TEST_CASE("what was refused may be replaced: asked to, the ingest looks again", "[assembly][packet_ingest]") {
-  Rig rig;
+  IngestRig rig;
   PacketBuilder builder;
   for (int block = 0; block < hdl64::kBlocks; ++block) builder.flag(block, hdl64::kUpperBlock);
   for (int i = 0; i < 100; ++i) rig.push(builder.bytes(), 553'000 * i);
@@ -165,7 +164,7 @@ TEST_CASE("a silence ends the stream, told of it early or not, the sweeps are th
   constexpr int kMissing = 1100;  // 317 ms
   const bool is_told = GENERATE(false, true);
   const PacketStream stream;
-  Rig rig;
+  IngestRig rig;
   rig.push(stream, 0, 800);  // two whole rotations and a third of one
   CHECK(rig.collector.sweeps.size() == 2);
   if (is_told) {
@@ -190,7 +189,7 @@ TEST_CASE("a silence ends the stream, told of it early or not, the sweeps are th
 TEST_CASE("a pause of less than a third of a second is a gap inside the stream",
           "[assembly][packet_ingest]") {
   const PacketStream stream;
-  Rig rig;
+  IngestRig rig;
   rig.push(stream, 0, 800);
   rig.push(stream, 1800, 2800);  // 288 ms later
   rig.finish();
@@ -198,7 +197,7 @@ TEST_CASE("a pause of less than a third of a second is a gap inside the stream",
 }
 
 TEST_CASE("a stream too short to be recognised is refused with its length", "[assembly][packet_ingest]") {
-  Rig rig;
+  IngestRig rig;
   rig.push(PacketStream(), 0, 15);
   CHECK_FALSE(rig.ingest.is_refused());
   CHECK(rig.ingest.refusal().empty());
@@ -209,7 +208,7 @@ TEST_CASE("a stream too short to be recognised is refused with its length", "[as
 }
 
 TEST_CASE("a stream of 16 packets is enough", "[assembly][packet_ingest]") {
-  Rig rig;
+  IngestRig rig;
   rig.push(PacketStream(), 0, 16);
   CHECK(rig.ingest.packets().pending == 16);
   rig.finish();
@@ -222,7 +221,7 @@ TEST_CASE("a stream of 16 packets is enough", "[assembly][packet_ingest]") {
 
 TEST_CASE("only the first packets are held back, for 18 ms", "[assembly][packet_ingest]") {
   const PacketStream stream;
-  Rig rig;
+  IngestRig rig;
   rig.push(stream, 0, 63);
   CHECK(rig.ingest.packets().pending == 63);
   CHECK(rig.ingest.packets().decoded == 0);

@@ -15,7 +15,6 @@ using Verdict = PacketSequencer::Verdict;
 
 namespace {
 
-constexpr std::int64_t kPeriod = hdl64::kPacketPeriod_ns;
 constexpr std::int64_t kOrigin = 1'790'000'000'000'000'000;
 
 /// Packets that know their number: it is in the azimuth, and in the time.
@@ -24,7 +23,7 @@ class Packets {
   StampedPacket operator[](int number) {
     auto [at, is_new] = made_.try_emplace(number);
     if (is_new) at->second = test::PacketBuilder().azimuths_cdeg(number % 30'000, 0).bytes();
-    return {at->second, kOrigin + number * kPeriod, kOrigin + number};
+    return {at->second, kOrigin + number * hdl64::kPacketPeriod_ns, kOrigin + number};
   }
 
  private:
@@ -41,7 +40,7 @@ Outcome offer_all(PacketSequencer& sequencer, const std::vector<int>& numbers) {
   Outcome outcome;
   const auto use = [&](const StampedPacket& packet) {
     const int number = packet.view().azimuth_cdeg(0);
-    CHECK(packet.time_ns == kOrigin + number * kPeriod);
+    CHECK(packet.time_ns == kOrigin + number * hdl64::kPacketPeriod_ns);
     CHECK(packet.arrival_ns == kOrigin + number);
     outcome.used.push_back(number);
   };
@@ -94,7 +93,7 @@ TEST_CASE("stamps that jitter by a quarter of a period are in order", "[assembly
   Packets packets;
   for (int i = 0; i < 100; ++i) {
     StampedPacket packet = packets[i];
-    packet.time_ns += (i % 3 - 1) * kPeriod / 4;
+    packet.time_ns += (i % 3 - 1) * hdl64::kPacketPeriod_ns / 4;
     REQUIRE(sequencer.offer(packet) == Verdict::kNext);
   }
   CHECK(sequencer.firings().lost == 0);

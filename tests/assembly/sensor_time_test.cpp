@@ -11,7 +11,6 @@
 
 using namespace pago;
 using namespace pago::test;
-using Rig = IngestRig;
 
 namespace {
 
@@ -29,7 +28,7 @@ struct Table {
   std::function<double(double)> host_s = [](double t) { return 1799.0 + t; };  // after noon
   std::int64_t wrap_us = std::int64_t{hdl64::kStampWrap_us};
 
-  Rig rig{};
+  IngestRig rig{};
   std::int64_t next = 0;
 
   Table& run(double until_s) {

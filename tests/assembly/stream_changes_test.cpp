@@ -10,12 +10,11 @@
 
 using namespace pago;
 using namespace pago::test;
-using Rig = IngestRig;
 
 namespace {
 
 /// Pushes a packet as if it came from 192.168.3.`host`.
-void push_from(Rig& rig, unsigned host, const PacketBytes& bytes, std::int64_t arrival_ns) {
+void push_from(IngestRig& rig, unsigned host, const PacketBytes& bytes, std::int64_t arrival_ns) {
   rig.buffer = bytes;
   rig.ingest.push({.payload = rig.buffer,
                    .arrival_ns = arrival_ns,
@@ -48,7 +47,7 @@ TEST_CASE("a return mode that is switched while the sensor runs costs two sweeps
     const int switched = 3000;
     second.stamp_us += static_cast<std::uint32_t>(switched * before.packet_period_ns() / 1000);
     second.arrival_ns += switched * before.packet_period_ns();
-    Rig rig;
+    IngestRig rig;
     rig.push(PacketStream(first), 0, switched);
     rig.push(PacketStream(second), 0, 4000);
     CHECK(rig.ingest.format() == after);
@@ -74,7 +73,7 @@ TEST_CASE("single returns after dual ones are no echoes", "[assembly][changes]")
   const int switched = 3000;
   second.stamp_us += static_cast<std::uint32_t>(switched * first.format.packet_period_ns() / 1000);
   second.arrival_ns += switched * first.format.packet_period_ns();
-  Rig rig;
+  IngestRig rig;
   rig.collector.allows_echoes = true;
   std::uint32_t echoes = 0, of_last = 0;
   rig.collector.on_part = [&](const SweepPart& part) {
@@ -103,7 +102,7 @@ TEST_CASE("a speed that changes from 5 to 20 Hz and back is followed sweep by sw
   };
   settings.turned_deg = [=](double t) { return 360.0 * turned_rev(t); };
   const PacketStream stream(settings);
-  Rig rig;
+  IngestRig rig;
   double worst_deg = 0.0;
   std::int64_t origin_ns = 0;
   rig.collector.on_part = [&](const SweepPart& part) {
@@ -142,7 +141,7 @@ TEST_CASE("a head that stops gives no sweeps until it turns again", "[assembly][
                     10.0 * std::max(0.0, t - 7.0));
   };
   const PacketStream stream(settings);
-  Rig rig;
+  IngestRig rig;
   rig.push(stream, 0, 3 * 3472);
   CHECK(rig.ingest.rotation_hz() == 0.0);
   const std::size_t at_rest = rig.collector.sweeps.size();
@@ -159,7 +158,7 @@ TEST_CASE("a head that stops gives no sweeps until it turns again", "[assembly][
 
 TEST_CASE("packets of a second sensor on the port are filtered to the packet", "[assembly][changes]") {
   const PacketStream ours, other({.rotation_hz = 12.0, .azimuth_deg = 10.0, .stamp_us = 77'000'000});
-  Rig alone, rig;
+  IngestRig alone, rig;
   alone.collector.with_digest = rig.collector.with_digest = true;
   for (int i = 0; i < 3000; ++i) {
     push_from(alone, 43, ours.packet(i), ours.arrival_ns(i));
@@ -177,7 +176,7 @@ TEST_CASE("packets of a second sensor on the port are filtered to the packet", "
 
 TEST_CASE("of two sensors the HDL-64E is taken, even if the other one is first", "[assembly][changes]") {
   const PacketStream ours;
-  Rig rig;
+  IngestRig rig;
   for (int i = 0; i < 1000; ++i) {
     push_from(rig, 44, hdl32_packet(i), ours.arrival_ns(i));
     push_from(rig, 43, ours.packet(i), ours.arrival_ns(i));
@@ -193,7 +192,7 @@ TEST_CASE("a sensor that is replaced by another one is found after five seconds"
   StreamSettings settings{.rotation_hz = 12.0, .stamp_us = 5'000'000, .format = dual_return()};
   settings.arrival_ns += 60'000'000'000;
   const PacketStream after(settings);
-  Rig rig;
+  IngestRig rig;
   for (int i = 0; i < 2000; ++i) push_from(rig, 43, before.packet(i), before.arrival_ns(i));
   for (int i = 0; i < 4000; ++i) push_from(rig, 99, after.packet(i), after.arrival_ns(i));
   CHECK(rig.ingest.format() == dual_return());
@@ -209,7 +208,7 @@ TEST_CASE("strangers on the port while the sensor is off do not keep it from com
   StreamSettings settings{.stamp_us = 5'000'000};
   settings.arrival_ns += 60'000'000'000;
   const PacketStream after(settings);
-  Rig rig;
+  IngestRig rig;
   for (int i = 0; i < 2000; ++i) push_from(rig, 43, before.packet(i), before.arrival_ns(i));
   for (int i = 0; i < 5000; ++i)
     push_from(rig, 77, hdl32_packet(i), before.arrival_ns(2000) + 10'000'000LL * i);
@@ -221,7 +220,7 @@ TEST_CASE("strangers on the port while the sensor is off do not keep it from com
 
 TEST_CASE("thousands of stray datagrams neither refuse the sensor nor disturb it", "[assembly][changes]") {
   const PacketStream stream;
-  Rig rig;
+  IngestRig rig;
   const std::array<std::uint8_t, 512> stray{};
   for (int i = 0; i < 3000; ++i) rig.ingest.push({.payload = stray, .arrival_ns = stream.arrival_ns(i) - 1});
   CHECK_FALSE(rig.ingest.is_refused());
@@ -240,7 +239,7 @@ TEST_CASE("the power level takes effect where it is first said", "[assembly][cha
   const StatusCycle cycle = make_status_cycle(unit, options);
   const PacketStream stream({.raw = 4007});
   const std::int64_t said_at = 4160 - 16 + 13;  // byte 5 of the last cycle
-  Rig rig;
+  IngestRig rig;
   std::int64_t origin_ns = 0;
   bool right = true;
   rig.collector.on_part = [&](const SweepPart& part) {
@@ -260,11 +259,11 @@ TEST_CASE("the power level takes effect where it is first said", "[assembly][cha
   }
   CHECK(right);
   CHECK(rig.collector.sweeps.size() > 15);
-  CHECK(power_level_of(rig.ingest.status().status()) == hdl64::PowerLevel::kRaw);
+  CHECK(hdl64::power_level_of(rig.ingest.status().status()) == hdl64::PowerLevel::kRaw);
 
   hdl64::Calibration foretelling = unit;
   foretelling.power_level = hdl64::PowerLevel::kRaw;
-  Rig foretold({}, 3, foretelling);
+  IngestRig foretold({}, 3, foretelling);
   foretold.collector.on_part = [&](const SweepPart& part) {
     CHECK(std::hypot(part.sweep->x_m[0], part.sweep->y_m[0]) == Approx(8.0));
   };
@@ -278,7 +277,7 @@ TEST_CASE("the sensor's own calibration is held against the one in use", "[assem
   for (const bool is_own : {true, false}) {
     const StatusCycle cycle = make_status_cycle(is_own ? plain_calibration() : other);
     const PacketStream stream;
-    Rig rig;
+    IngestRig rig;
     for (int i = 0; i < 4400; ++i) {
       if (i == 4100) CHECK_FALSE(rig.ingest.calibration_difference().has_value());
       PacketBytes bytes = stream.packet(i);

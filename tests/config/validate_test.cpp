@@ -9,28 +9,28 @@
 namespace pago {
 namespace {
 
-std::string complaint_about(const Config& config) {
+std::string complaint_of(const Config& config) {
   return test::complaint_of([&] { validate(config); });
 }
 
 TEST_CASE("the defaults are valid", "[config][validate]") {
-  CHECK(complaint_about({}) == "");
+  CHECK(complaint_of({}) == "");
 }
 
 TEST_CASE("a field that code set out of its range is refused", "[config][validate]") {
   Config config;
   config.mount.height_m = std::nan("");
-  CHECK(complaint_about(config) == "configuration: mount.height_m must be a number from 0.1 to 10, is nan");
+  CHECK(complaint_of(config) == "configuration: mount.height_m must be a number from 0.1 to 10, is nan");
   config = {};
   config.hdl64.vertical_offset = static_cast<VerticalOffset>(9);
-  CHECK(complaint_about(config).find("hdl64.vertical_offset must be one of") != std::string::npos);
+  CHECK(complaint_of(config).find("hdl64.vertical_offset must be one of") != std::string::npos);
 }
 
 TEST_CASE("settings that contradict each other are refused with both values", "[config][validate]") {
   Config config;
   config.hdl64.min_range_m = 10.0;
   config.hdl64.max_range_m = 5.0;
-  CHECK(complaint_about(config) ==
+  CHECK(complaint_of(config) ==
         "configuration: the sensor's nearest range must be below its farthest (hdl64.min_range_m is 10.0, "
         "hdl64.max_range_m is 5.0)");
 }
@@ -39,7 +39,7 @@ TEST_CASE("every rule refuses what breaks it", "[config][validate]") {
   const auto broken_by = [](void (*change)(Config&)) {
     Config config;
     change(config);
-    return complaint_about(config);
+    return complaint_of(config);
   };
   using test::contains;
   CHECK(contains(

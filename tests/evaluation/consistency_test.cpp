@@ -40,10 +40,6 @@ Trajectory noisy(const Trajectory& truth, const Matrix6d& covariance, unsigned s
   return trajectory_of(poses, "noisy");
 }
 
-MatchedTrajectories by_row(const Trajectory& truth, const Trajectory& estimate) {
-  return match(truth, estimate, {.matching = Matching::kRow});
-}
-
 TEST_CASE("an estimate that errs as it says has the NEES of its degrees of freedom",
           "[evaluation][consistency]") {
   const Trajectory truth = town_drive(3001, "truth");

@@ -13,10 +13,6 @@ namespace {
 using namespace pago::evaluation;
 using namespace pago::test;
 
-MatchedTrajectories by_row(const Trajectory& truth, const Trajectory& estimate) {
-  return match(truth, estimate, {.matching = Matching::kRow});
-}
-
 TEST_CASE("the error along the way is the absolute error of the same alignment", "[evaluation][course]") {
   const Trajectory truth = winding(1, 300, "truth");
   const auto matched = by_row(truth, drifting(truth, 2));

@@ -15,8 +15,8 @@ using namespace pago::evaluation;
 using Catch::Matchers::Contains;
 using pago::test::TemporaryPath;
 
-constexpr auto kA = GroundProtocol::kPatchwork;
-constexpr auto kB = GroundProtocol::kPatchworkPlusPlus;
+constexpr auto kPatchworkRules = GroundProtocol::kPatchwork;
+constexpr auto kPlusPlusRules = GroundProtocol::kPatchworkPlusPlus;
 
 GroundCounts counts(GroundProtocol protocol, std::uint64_t tp, std::uint64_t fp, std::uint64_t fn) {
   return {.protocol = protocol,
@@ -28,7 +28,7 @@ GroundCounts counts(GroundProtocol protocol, std::uint64_t tp, std::uint64_t fp,
 }
 
 /// Two frames: precision 0.5 and 1.0, recall 1.0 and 0.8.
-GroundComparison comparison(GroundProtocol protocol = kA) {
+GroundComparison comparison(GroundProtocol protocol = kPatchworkRules) {
   return {.protocol = protocol,
           .frames = {3, 7},
           .methods = {{"lawn", {counts(protocol, 10, 10, 0), counts(protocol, 80, 0, 20)}}}};
@@ -60,12 +60,12 @@ TEST_CASE("what was counted is read back", "[evaluation][ground]") {
   const TemporaryPath folder("segments");
   std::filesystem::create_directory(folder.path());
   CHECK_THROWS_WITH(read_ground_folder(folder.path()), Contains("holds no counts"));
-  GroundComparison written = comparison(kB);
-  written.methods.push_back({"moss", {counts(kB, 9, 0, 1), counts(kB, 9, 1, 0)}});
-  std::ofstream(folder.path() / ground_csv_name(kB)) << ground_csv(written);
+  GroundComparison written = comparison(kPlusPlusRules);
+  written.methods.push_back({"moss", {counts(kPlusPlusRules, 9, 0, 1), counts(kPlusPlusRules, 9, 1, 0)}});
+  std::ofstream(folder.path() / ground_csv_name(kPlusPlusRules)) << ground_csv(written);
   const std::vector<GroundComparison> read = read_ground_folder(folder.path());
   REQUIRE(read.size() == 1);
-  CHECK(read[0].protocol == kB);
+  CHECK(read[0].protocol == kPlusPlusRules);
   CHECK(read[0].frames == written.frames);
   REQUIRE(read[0].methods.size() == 2);
   CHECK(read[0].methods[1].method == "moss");
@@ -79,7 +79,7 @@ TEST_CASE("rows of other frames than the first method's are refused with their l
       "method,frame,true_positive,false_positive,false_negative,true_negative,excluded\n";
   const auto read = [&](const std::string& rows) {
     std::ofstream(file.path()) << names << rows;
-    return read_ground_csv(file.path(), kA);
+    return read_ground_csv(file.path(), kPatchworkRules);
   };
   CHECK(read("a,1,1,1,1,1,0\na,2,1,1,1,1,0\nb,1,1,1,1,1,0\nb,2,1,1,1,1,0\n").methods.size() == 2);
   CHECK_THROWS_WITH(read("a,1,1,1,1,1,0\nb,2,1,1,1,1,0\n"), Contains(":3: the methods were not"));
@@ -92,8 +92,11 @@ TEST_CASE("rows of other frames than the first method's are refused with their l
 TEST_CASE("what is not defined is n/a", "[evaluation][ground]") {
   GroundComparison a = comparison();
   a.frames.push_back(8);
-  a.methods[0].counts.push_back({.protocol = kA, .true_negative = 4, .excluded = 9});  // no ground
-  a.methods.push_back({"none", {counts(kA, 0, 0, 10), counts(kA, 0, 0, 100), counts(kA, 0, 0, 0)}});
+  a.methods[0].counts.push_back(
+      {.protocol = kPatchworkRules, .true_negative = 4, .excluded = 9});  // no ground
+  a.methods.push_back({"none",
+                       {counts(kPatchworkRules, 0, 0, 10), counts(kPatchworkRules, 0, 0, 100),
+                        counts(kPatchworkRules, 0, 0, 0)}});
   const std::string table = ground_table(a);
   CHECK_THAT(table, Contains("2 frames, and 1 without ground"));
   CHECK_THAT(table, Contains("lawn             75.00 +- 25.00  90.00 +- 10.00  77.78 +- 11.11"));
@@ -102,11 +105,11 @@ TEST_CASE("what is not defined is n/a", "[evaluation][ground]") {
 }
 
 TEST_CASE("protocols are never mixed, and every frame is counted", "[evaluation][ground]") {
-  GroundComparison wrong = comparison(kA);
-  wrong.protocol = kB;
+  GroundComparison wrong = comparison(kPatchworkRules);
+  wrong.protocol = kPlusPlusRules;
   CHECK_THROWS_WITH(ground_table(wrong), Contains("other protocol"));
-  GroundComparison mixed = comparison(kA);
-  mixed.methods[0].counts[1] = counts(kB, 1, 0, 0);
+  GroundComparison mixed = comparison(kPatchworkRules);
+  mixed.methods[0].counts[1] = counts(kPlusPlusRules, 1, 0, 0);
   CHECK_THROWS_WITH(ground_csv(mixed), Contains("cannot be summarised together"));
   GroundComparison missing = comparison();
   missing.frames.push_back(9);

@@ -13,7 +13,6 @@ namespace {
 
 using namespace pago::evaluation;
 using namespace pago::test;
-using Unit = PairOptions::Unit;
 using Pairs = std::vector<std::pair<std::size_t, std::size_t>>;
 
 std::vector<Eigen::Isometry3d> path_of(const Trajectory& trajectory) {
@@ -36,8 +35,8 @@ TEST_CASE("chained pairs begin at the first crossing, not at the first pose", "[
 
 TEST_CASE("pairs by rows are chained or start at every row", "[evaluation][pair_errors]") {
   const auto path = path_of(chain(planar(0.3, 0, 0), 9, "path"));
-  CHECK(evo_pairs(path, {.unit = Unit::kRows, .delta = 4.0}) == Pairs{{0, 4}, {4, 8}});
-  const Pairs all = evo_pairs(path, {.unit = Unit::kRows, .delta = 4.0, .all_pairs = true});
+  CHECK(evo_pairs(path, {.unit = PairOptions::Unit::kRows, .delta = 4.0}) == Pairs{{0, 4}, {4, 8}});
+  const Pairs all = evo_pairs(path, {.unit = PairOptions::Unit::kRows, .delta = 4.0, .all_pairs = true});
   CHECK(all == Pairs{{0, 4}, {1, 5}, {2, 6}, {3, 7}, {4, 8}, {5, 9}});
 }
 
@@ -72,7 +71,7 @@ TEST_CASE("pairs are found along the estimate unless the truth is asked for", "[
 TEST_CASE("a turn of one degree per row is one degree between neighbours", "[evaluation][pair_errors]") {
   const Trajectory truth = chain(planar(1.0, 0, 0), 50, "truth");
   const Trajectory estimate = chain(planar(1.0, 0, 0.017453292519943295), 50, "estimate");
-  const PairErrors e = errors(truth, estimate, {.unit = Unit::kRows, .delta = 1.0});
+  const PairErrors e = errors(truth, estimate, {.unit = PairOptions::Unit::kRows, .delta = 1.0});
   CHECK(e.rotation_deg.rmse == Approx(1.0));
   CHECK(e.rotation_deg.deviation == Approx(0.0).margin(1e-9));
   CHECK(e.point_distance_m.max < 1e-9);
@@ -82,7 +81,7 @@ TEST_CASE("pairs that make no sense are refused, paths without a pair have no er
           "[evaluation][pair_errors]") {
   const Trajectory truth = chain(planar(1, 0, 0), 10, "truth");
   CHECK_THROWS_AS(errors(truth, truth, {.delta = 0.0}), pago::Error);
-  CHECK_THROWS_AS(errors(truth, truth, {.unit = Unit::kRows, .delta = 1.5}), pago::Error);
+  CHECK_THROWS_AS(errors(truth, truth, {.unit = PairOptions::Unit::kRows, .delta = 1.5}), pago::Error);
   CHECK_THROWS_AS(errors(truth, truth, {.delta = 1.0, .all_pairs = true, .tolerance = 0.0}), pago::Error);
   CHECK(std::isnan(errors(truth, truth, {.delta = 100.0}).translation_m.rmse));
 }

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "pago/evaluation/association.hpp"
 #include "pago/evaluation/trajectory.hpp"
 
 namespace pago::test {
@@ -80,6 +81,10 @@ inline Trajectory town_drive(int poses, const std::string& name) {
     path.push_back(path.back() * step);
   }
   return trajectory_of(path, name);
+}
+
+inline evaluation::MatchedTrajectories by_row(const Trajectory& truth, const Trajectory& estimate) {
+  return evaluation::match(truth, estimate, {.matching = evaluation::Matching::kRow});
 }
 
 inline Trajectory moved(const Eigen::Isometry3d& T, Trajectory trajectory) {

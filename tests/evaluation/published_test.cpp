@@ -91,7 +91,6 @@ TEST_CASE("evo's relative and absolute errors are those of an independent script
   const Trajectory truth = read_trajectory(kiss / "00_gt_kitti.txt");
   const Trajectory estimate = read_trajectory(kiss / "00_poses_kitti.txt");
   const MatchedTrajectories matched = match(truth, estimate, {});
-  using Unit = PairOptions::Unit;
   struct Golden {
     PairOptions options;
     std::size_t count;
@@ -127,7 +126,7 @@ TEST_CASE("evo's relative and absolute errors are those of an independent script
                                      11.4298032905,
                                      0.7614811806,
                                      0.2984732823},
-                                    {{.unit = Unit::kRows, .delta = 1},
+                                    {{.unit = PairOptions::Unit::kRows, .delta = 1},
                                      4540,
                                      0.0341882432,
                                      0.0267899334,
@@ -137,7 +136,7 @@ TEST_CASE("evo's relative and absolute errors are those of an independent script
                                      0.3167316059,
                                      0.1367924168,
                                      0.0235004091},
-                                    {{.unit = Unit::kRows, .delta = 10},
+                                    {{.unit = PairOptions::Unit::kRows, .delta = 10},
                                      454,
                                      0.1769054309,
                                      0.1210431324,

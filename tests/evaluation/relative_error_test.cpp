@@ -15,12 +15,6 @@ namespace {
 using namespace pago::evaluation;
 using namespace pago::test;
 
-constexpr double kDegree = std::numbers::pi / 180.0;
-
-MatchedTrajectories by_row(const Trajectory& truth, const Trajectory& estimate) {
-  return match(truth, estimate, {.matching = Matching::kRow});
-}
-
 TEST_CASE("a scale error of one percent is one percent per nominal length", "[evaluation][relative_error]") {
   const Trajectory truth = chain(planar(0.75, 0, 0), 1300, "truth");
   const Trajectory estimate = chain(planar(0.75 * 1.01, 0, 0), 1300, "estimate");

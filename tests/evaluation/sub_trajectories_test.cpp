@@ -16,10 +16,6 @@ namespace {
 using namespace pago::evaluation;
 using namespace pago::test;
 
-MatchedTrajectories by_row(const Trajectory& truth, const Trajectory& estimate) {
-  return match(truth, estimate, {.matching = Matching::kRow});
-}
-
 TEST_CASE("a scale error is the same part of every length", "[evaluation][sub_trajectories]") {
   const Trajectory truth = chain(planar(0.5, 0, 0), 400, "truth");
   const auto errors = sub_trajectory_errors(by_row(truth, chain(planar(0.51, 0, 0), 400, "estimate")));

@@ -15,8 +15,8 @@ namespace {
 constexpr int kBins = 50;
 
 /// Returns that can be told apart, each with its bin; kBins = none.
-struct Cloud {
-  explicit Cloud(std::uint32_t size) : x(size), y(size), z(size), bin(size) {
+struct BinnedCloud {
+  explicit BinnedCloud(std::uint32_t size) : x(size), y(size), z(size), bin(size) {
     std::mt19937 random(5);
     for (std::uint32_t i = 0; i < size; ++i) {
       x[i] = static_cast<float>(i);
@@ -37,7 +37,7 @@ struct Cloud {
   std::vector<std::uint16_t> bin;
 };
 
-void note(BinSort& sort, const Cloud& cloud, std::uint32_t until) {
+void note(BinSort& sort, const BinnedCloud& cloud, std::uint32_t until) {
   std::copy(cloud.bin.begin() + sort.noted(), cloud.bin.begin() + until, sort.bin_of() + sort.noted());
   sort.note(until);
 }
@@ -50,7 +50,7 @@ std::vector<float> found(const Points& points) {
   return {points.x_m.begin(), points.x_m.end()};
 }
 
-void check_all(const BinSort& sort, const Cloud& cloud) {
+void check_all(const BinSort& sort, const BinnedCloud& cloud) {
   for (int bin = 0; bin < kBins; ++bin) REQUIRE(found(sort.points(bin)) == cloud.expected(bin));
 }
 
@@ -58,7 +58,7 @@ void check_all(const BinSort& sort, const Cloud& cloud) {
 
 TEST_CASE("bins hold their returns in the sweep's order, noted at once or bit by bit", "[ground][bin_sort]") {
   for (const std::uint32_t size : {0U, 1U, 3U, 4U, 5U, 1000U, 4999U}) {
-    const Cloud cloud(size);
+    const BinnedCloud cloud(size);
     BinSort sort(kBins, 5000);
     sort.begin();
     note(sort, cloud, size);
@@ -74,7 +74,7 @@ TEST_CASE("bins hold their returns in the sweep's order, noted at once or bit by
 }
 
 TEST_CASE("bins that are sorted early hold the same, and each is fresh once", "[ground][bin_sort]") {
-  Cloud cloud(4000);
+  BinnedCloud cloud(4000);
   std::ranges::sort(cloud.bin);  // bin after bin, so that bins can close
   BinSort sort(kBins, 4000);
   sort.begin();
@@ -101,7 +101,7 @@ TEST_CASE("bins that are sorted early hold the same, and each is fresh once", "[
 }
 
 TEST_CASE("a return that comes too late has all bins sorted anew", "[ground][bin_sort]") {
-  const Cloud cloud(2000);  // in any order, so nearly every bin gets one too late
+  const BinnedCloud cloud(2000);  // in any order, so nearly every bin gets one too late
   BinSort sort(kBins, 2000);
   sort.begin();
   note(sort, cloud, 1000);
@@ -115,7 +115,7 @@ TEST_CASE("a return that comes too late has all bins sorted anew", "[ground][bin
 }
 
 TEST_CASE("neighbouring bins that were sorted at once can be read as one", "[ground][bin_sort]") {
-  const Cloud cloud(1000);
+  const BinnedCloud cloud(1000);
   BinSort sort(kBins, 1000);
   sort.begin();
   note(sort, cloud, 1000);

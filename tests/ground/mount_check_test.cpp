@@ -19,9 +19,8 @@ static_assert(Stage<GroundStage>);
 
 namespace {
 
-
 /// A street between houses, with cars.
-Scene street() {
+Scene street_with_cars() {
   Scene scene;
   scene.level_ground()
       .box({-60, 9, 0}, {60, 12, 8})
@@ -32,7 +31,7 @@ Scene street() {
 }
 
 /// The report of a stage that believes in `believed` on a sensor that sits as `real`.
-MountReport check(const Mount& real, const Mount& believed, const Scene& scene = street()) {
+MountReport check(const Mount& real, const Mount& believed, const Scene& scene = street_with_cars()) {
   Sweep sweep(kMaxReturns);
   GroundConfig config;
   config.mount_check.sweeps = 5;
@@ -86,7 +85,7 @@ TEST_CASE("a tilt that the mount does not know is reported, and the estimate men
 
 TEST_CASE("a sensor upside down is noticed unless the mount says so", "[ground][mount_check]") {
   const Mount inverted{.height_m = 1.73, .roll_rad = std::numbers::pi};
-  for (const Scene& scene : {street(), Scene().level_ground()}) {
+  for (const Scene& scene : {street_with_cars(), Scene().level_ground()}) {
     const MountReport report = check(inverted, Mount{}, scene);
     CHECK(report.is_warning());
     CHECK_THAT(to_text(report, Mount{}), Contains("upside down") && Contains("mount.roll_rad=3.14"));
@@ -127,7 +126,7 @@ TEST_CASE("axes in another order are noticed, and the estimate mends them", "[gr
   config.mount_check.sweeps = 1;
   // A camera's: x right, y down, z forward.
   const auto as_camera = [&] {
-    street().scan(sweep, {.noise_m = 0.02});
+    street_with_cars().scan(sweep, {.noise_m = 0.02});
     for (std::uint32_t i = 0; i < sweep.size; ++i) {
       const float x = sweep.x_m[i], y = sweep.y_m[i], z = sweep.z_m[i];
       sweep.x_m[i] = -y, sweep.y_m[i] = -z, sweep.z_m[i] = x;
@@ -166,7 +165,7 @@ TEST_CASE("the end of a short recording concludes what was seen", "[ground][moun
     GroundStage stage({}, Mount{.height_m = believed_m}, sweep.capacity());
     CHECK(stage.mount_report().concluded().finding == MountFinding::kPending);
     for (std::uint32_t seed = 1; seed <= 3; ++seed) {
-      street().scan(sweep, {.noise_m = 0.02, .seed = seed});
+      street_with_cars().scan(sweep, {.noise_m = 0.02, .seed = seed});
       stage.begin(sweep);
       stage.finish(sweep);
     }
@@ -224,7 +223,7 @@ TEST_CASE("returns are sampled from every laser, whatever the size of the sweep"
 TEST_CASE("sweeps that are not whole say nothing, and the check can be switched off",
           "[ground][mount_check]") {
   Sweep sweep(kMaxReturns);
-  street().scan(sweep);
+  street_with_cars().scan(sweep);
   GroundConfig config;
   config.mount_check.sweeps = 1;
   GroundStage stage(config, Mount{}, sweep.capacity());
@@ -244,7 +243,7 @@ TEST_CASE("sweeps that are not whole say nothing, and the check can be switched 
 
 TEST_CASE("the check and the estimate touch no heap", "[ground][mount_check]") {
   Sweep sweep(kMaxReturns);
-  street().scan(sweep);
+  street_with_cars().scan(sweep);
   GroundConfig config;
   config.mount_check.sweeps = 2;
   config.height.enabled = true;

@@ -26,7 +26,7 @@ PolarGrid patchwork_grid() {
       80.0);
 }
 
-struct Cloud {
+struct CoordinateLists {
   std::vector<float> x, y, z;
   void add(float px, float py, float pz) {
     x.push_back(px);
@@ -37,11 +37,11 @@ struct Cloud {
   Coordinates view() const { return {x.data(), y.data(), z.data()}; }
 };
 
-Cloud random_points(std::uint32_t n) {
+CoordinateLists random_points(std::uint32_t n) {
   std::mt19937 random(7);
   std::uniform_real_distribution<float> range(0.0F, 90.0F), height(-3.0F, 3.0F);
   std::uniform_real_distribution<float> azimuth(-std::numbers::pi_v<float>, std::numbers::pi_v<float>);
-  Cloud points;
+  CoordinateLists points;
   for (std::uint32_t i = 0; i < n; ++i) {
     const float r = range(random), a = azimuth(random);
     points.add(r * std::cos(a), r * std::sin(a), height(random));
@@ -98,7 +98,7 @@ TEST_CASE("the centre of a bin lies in it", "[ground][polar_bins]") {
 TEST_CASE("bins agree with double arithmetic except within rounding of a border", "[ground][polar_bins]") {
   const PolarGrid grid = patchwork_grid();
   const PatchworkConfig config;
-  const Cloud points = random_points(200'000);
+  const CoordinateLists points = random_points(200'000);
   std::vector<std::uint16_t> bins(points.size());
   grid.locate(points.view(), 0, points.size(), kAnyHeight, bins.data());
 
@@ -142,7 +142,7 @@ TEST_CASE("the x axis belongs to the first sector, what is just right of it to t
 }
 
 TEST_CASE("grouping keeps every return once, in its bin, in the sweep's order", "[ground][polar_bins]") {
-  const Cloud points = random_points(50'000);
+  const CoordinateLists points = random_points(50'000);
   PolarBins bins(patchwork_grid(), points.size());
   bins.locate(points.view(), points.size(), kAnyHeight);
   bins.sort_rest(points.view());
@@ -158,7 +158,7 @@ TEST_CASE("grouping keeps every return once, in its bin, in the sweep's order", 
 }
 
 TEST_CASE("locating in parts gives the same bins as at once", "[ground][polar_bins]") {
-  const Cloud points = random_points(10'007);
+  const CoordinateLists points = random_points(10'007);
   PolarBins whole(patchwork_grid(), points.size()), parts(patchwork_grid(), points.size());
   whole.locate(points.view(), points.size(), kAnyHeight);
   for (std::uint32_t until = 0; until < points.size(); until += 613)

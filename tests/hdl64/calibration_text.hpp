@@ -9,12 +9,11 @@
 #include <string>
 #include <vector>
 
+#include "pago/core/units.hpp"
 #include "pago/hdl64/calibration.hpp"
 #include "support/temporary_path.hpp"
 
 namespace pago::test {
-
-inline constexpr double kDegree = 3.14159265358979323846 / 180.0;
 
 inline std::string read_text(const std::filesystem::path& path) {
   std::ostringstream text;

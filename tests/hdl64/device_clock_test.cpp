@@ -13,8 +13,8 @@ using Verdict = DeviceClock::Verdict;
 
 namespace {
 
-constexpr std::int64_t kSecond = 1'000'000'000, kHour = 3600 * kSecond;
-constexpr std::int64_t kNoon = 1'790'000'000 / 3600 * kHour;  // a full hour since the epoch
+constexpr std::int64_t kSecond_ns = 1'000'000'000, kHour_ns = 3600 * kSecond_ns;
+constexpr std::int64_t kNoon = 1'790'000'000 / 3600 * kHour_ns;  // a full hour since the epoch
 
 std::uint32_t us(double seconds) {
   return static_cast<std::uint32_t>(std::llround(seconds * 1e6));
@@ -31,13 +31,13 @@ TEST_CASE("the first stamp takes the hour nearest to its arrival", "[hdl64][devi
     std::int64_t arrival_ns, expected_ns;
   };
   const Case cases[] = {
-      {10.0, kNoon + 10 * kSecond + 300'000, kNoon + 10 * kSecond},
+      {10.0, kNoon + 10 * kSecond_ns + 300'000, kNoon + 10 * kSecond_ns},
       {3599.999999, kNoon + 1'000, kNoon - 1'000},  // sent just before, came just after
       {0.000001, kNoon - 1'000, kNoon + 1'000},     // the host's clock is a little slow
-      {1700.0, kNoon, kNoon + 1700 * kSecond},      // no GPS: any phase, at most 30 min
-      {1900.0, kNoon, kNoon - 1700 * kSecond},
-      {4000.0, kNoon + 4000 * kSecond, kNoon + 4000 * kSecond},  // free-running past the hour
-      {12.5, 30 * kSecond, ns(12.5)},                            // the epoch itself
+      {1700.0, kNoon, kNoon + 1700 * kSecond_ns},   // no GPS: any phase, at most 30 min
+      {1900.0, kNoon, kNoon - 1700 * kSecond_ns},
+      {4000.0, kNoon + 4000 * kSecond_ns, kNoon + 4000 * kSecond_ns},  // free-running past the hour
+      {12.5, 30 * kSecond_ns, ns(12.5)},                               // the epoch itself
   };
   for (const Case& c : cases) {
     INFO(c.stamp_s);
@@ -45,7 +45,7 @@ TEST_CASE("the first stamp takes the hour nearest to its arrival", "[hdl64][devi
     const auto reading = clock.read(us(c.stamp_s), c.arrival_ns);
     CHECK(reading.verdict == Verdict::kRestarted);
     CHECK(reading.time_ns == c.expected_ns);
-    CHECK(std::abs(reading.time_ns - c.arrival_ns) <= kHour / 2);
+    CHECK(std::abs(reading.time_ns - c.arrival_ns) <= kHour_ns / 2);
   }
   CHECK(DeviceClock().restarts() == 0);
 }
@@ -111,7 +111,7 @@ TEST_CASE("a unit without GPS may count past the hour and to the end of its coun
 }
 
 TEST_CASE("steps of the host's clock do not reach sensor time", "[hdl64][device_clock]") {
-  for (const std::int64_t step : {-7200 * kSecond, -5 * kSecond, 5 * kSecond, 86'400 * kSecond}) {
+  for (const std::int64_t step : {-7200 * kSecond_ns, -5 * kSecond_ns, 5 * kSecond_ns, 86'400 * kSecond_ns}) {
     DeviceClock clock;
     const std::int64_t first = clock.read(us(100.0), kNoon).time_ns;
     for (int i = 1; i < 100; ++i) {
@@ -141,24 +141,24 @@ TEST_CASE("a sensor that was switched off and on restarts the clock", "[hdl64][d
   int refused = 0;
   DeviceClock::Reading reading;
   for (int i = 0; reading.verdict != Verdict::kRestarted; ++i) {
-    reading = clock.read(us(3.0) + 288U * static_cast<unsigned>(i), kNoon + 25 * kSecond + i * 288'000);
+    reading = clock.read(us(3.0) + 288U * static_cast<unsigned>(i), kNoon + 25 * kSecond_ns + i * 288'000);
     if (reading.verdict == Verdict::kImplausible) ++refused;
     REQUIRE(i < 20);
   }
   CHECK(refused == 7);
   CHECK(clock.restarts() == 1);
-  CHECK(std::abs(reading.time_ns - kNoon) < kHour / 2);
-  CHECK(clock.read(us(3.0) + 288 * 8, kNoon + 25 * kSecond + 8 * 288'000).verdict == Verdict::kFits);
+  CHECK(std::abs(reading.time_ns - kNoon) < kHour_ns / 2);
+  CHECK(clock.read(us(3.0) + 288 * 8, kNoon + 25 * kSecond_ns + 8 * 288'000).verdict == Verdict::kFits);
 }
 
 TEST_CASE("a clock that leaps to GPS time without any silence restarts", "[hdl64][device_clock]") {
   DeviceClock clock;
-  clock.read(us(10.0), kNoon + 2000 * kSecond);
+  clock.read(us(10.0), kNoon + 2000 * kSecond_ns);
   DeviceClock::Reading reading;
   for (unsigned i = 0; i < 8; ++i)
-    reading = clock.read(us(2000.0) + 288 * i, kNoon + 2000 * kSecond + 288'000 * (i + 1));
+    reading = clock.read(us(2000.0) + 288 * i, kNoon + 2000 * kSecond_ns + 288'000 * (i + 1));
   CHECK(reading.verdict == Verdict::kRestarted);
-  CHECK(reading.time_ns == kNoon + 2000 * kSecond + 7 * 288'000);
+  CHECK(reading.time_ns == kNoon + 2000 * kSecond_ns + 7 * 288'000);
 }
 
 TEST_CASE("stale packets among good ones do not restart the clock", "[hdl64][device_clock]") {

@@ -14,8 +14,6 @@ using pago::test::PacketBuilder;
 
 namespace {
 
-constexpr double kDegree = 3.14159265358979323846 / 180.0;
-
 /// A unit whose lasers all look level along the encoder's azimuth, without any correction.
 Calibration ideal_unit() {
   Calibration calibration;

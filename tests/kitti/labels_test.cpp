@@ -14,7 +14,7 @@ using Catch::Contains;
 
 namespace {
 
-constexpr std::uint32_t kCapacity = 200'000;
+constexpr std::uint32_t kScanCapacity = 200'000;
 
 /// As SemanticKITTI writes them: the class in the low half, an object's number in the high one.
 std::vector<std::uint32_t> labels_for(const KittiScan& scan) {
@@ -39,7 +39,7 @@ bool has_classes(const Sweep& sweep, const std::vector<std::uint32_t>& labels) {
 
 /// Reads the first scan of `opened`.
 bool reads_classes(const std::filesystem::path& opened, const std::vector<std::uint32_t>& labels) {
-  Sweep sweep(kCapacity);
+  Sweep sweep(kScanCapacity);
   KittiSource source(opened);
   return source.fill(sweep) && has_classes(sweep, labels) && source.first_without_labels().empty();
 }
@@ -73,7 +73,7 @@ TEST_CASE("labels can be left unread", "[kitti][labels]") {
   const KittiScan scan = round_scan(100);
   write_scan(root.path() / "velodyne/000000.bin", scan);
   write_labels(root.path() / "labels/000000.label", labels_for(scan));
-  Sweep sweep(kCapacity);
+  Sweep sweep(kScanCapacity);
   KittiSource source(root.path(), {.labels = false});
   REQUIRE(source.fill(sweep));
   CHECK_FALSE(sweep.header.has(kLabelled));
@@ -88,7 +88,7 @@ TEST_CASE("a scan without labels among labelled ones is read, and named", "[kitt
     write_scan(root.path() / "velodyne" / (std::string(name) + ".bin"), scan);
   for (const char* name : {"000000", "000002"})
     write_labels(root.path() / "labels" / (std::string(name) + ".label"), labels);
-  Sweep sweep(kCapacity);
+  Sweep sweep(kScanCapacity);
   KittiSource source(root.path());
   CHECK_THAT(source.first_without_labels(), Contains("000001.bin"));
   for (const bool is_labelled : {true, false, true}) {
@@ -107,7 +107,7 @@ TEST_CASE("labels that are not one for each point end the reading, and say so", 
     auto labels = labels_for(scan);
     labels.resize(static_cast<std::size_t>(static_cast<int>(labels.size()) + difference));
     write_labels(root.path() / "labels/000000.label", labels);
-    Sweep sweep(kCapacity);
+    Sweep sweep(kScanCapacity);
     KittiSource source(root.path());
     CHECK_FALSE(source.fill(sweep));
     CHECK_THAT(source.complaint(), Contains("000000.label") && Contains("4 for each point"));
@@ -119,7 +119,7 @@ TEST_CASE("labels that cannot be opened end the reading, and say so", "[kitti][l
   const TemporaryPath root("_kitti");
   write_scan(root.path() / "velodyne/000000.bin", round_scan(100));
   std::filesystem::create_directories(root.path() / "labels/000000.label");  // a folder of that name
-  Sweep sweep(kCapacity);
+  Sweep sweep(kScanCapacity);
   KittiSource source(root.path());
   CHECK_FALSE(source.fill(sweep));
   CHECK_THAT(source.complaint(), Contains("000000.label: cannot be read"));
@@ -127,7 +127,7 @@ TEST_CASE("labels that cannot be opened end the reading, and say so", "[kitti][l
 
 TEST_CASE("a scan of SemanticKITTI is labelled: half of its points are ground", "[kitti][labels]") {
   PAGO_DATA_OR_SKIP(folder, "kitti/semantickitti_single");
-  Sweep sweep(kCapacity);
+  Sweep sweep(kScanCapacity);
   KittiSource source(folder);
   REQUIRE(source.fill(sweep));
   REQUIRE(sweep.header.has(kLabelled));

@@ -16,7 +16,7 @@ using namespace pago::test;
 
 namespace {
 
-constexpr std::uint32_t kCapacity = 200'000;
+constexpr std::uint32_t kSweepCapacity = 200'000;
 
 double elevation_rad(const Sweep& sweep, std::size_t i) {
   const double x = static_cast<double>(sweep.x_m[i]), y = static_cast<double>(sweep.y_m[i]);
@@ -80,7 +80,7 @@ TEST_CASE("KITTI's scans become ring-exact sweeps with a cell for every return",
     std::ifstream in(folder / "times.txt");
     return std::vector<double>(std::istream_iterator<double>(in), {});
   }();
-  Sweep sweep(kCapacity), plain(kCapacity);
+  Sweep sweep(kSweepCapacity), plain(kSweepCapacity);
   std::size_t scans = 0;
   for (; source.fill(sweep); ++scans, sweep.reset()) {
     INFO("scan " << scans);
@@ -109,7 +109,7 @@ TEST_CASE("the labelled scan keeps a return per label", "[kitti][recordings]") {
   PAGO_DATA_OR_SKIP(folder, "kitti/semantickitti_single");
   KittiSource source(folder);
   CHECK_FALSE(source.has_stamps());
-  Sweep sweep(kCapacity);
+  Sweep sweep(kSweepCapacity);
   REQUIRE(source.fill(sweep));
   CHECK(sweep.size == std::filesystem::file_size(folder / "labels/000000.label") / 4);
   CHECK(source.scans_with_guessed_rings() == 0);

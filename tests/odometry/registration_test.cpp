@@ -15,8 +15,8 @@ using namespace pago::odometry;
 namespace {
 
 /// Two compensated looks at the street, T_first_second apart, as features.
-struct Pair {
-  Pair(const Eigen::Isometry3d& T_first_second, double noise_m, const OdometryConfig& config = {})
+struct RegisteredPair {
+  RegisteredPair(const Eigen::Isometry3d& T_first_second, double noise_m, const OdometryConfig& config = {})
       : targets(config, test::kStreetReturns), sources(test::kStreetReturns) {
     const test::Street street;
     features::FeaturesStage extract(FeaturesConfig{}, test::kStreetReturns);
@@ -43,7 +43,7 @@ struct Pair {
   FeatureSet sources;
 };
 
-Eigen::Isometry3d motion(double forward_m, double yaw_deg, double pitch_deg) {
+Eigen::Isometry3d motion_of(double forward_m, double yaw_deg, double pitch_deg) {
   Vector6d xi;
   xi << forward_m, 0.05, 0.02, 0.0, pitch_deg * 0.0174533, yaw_deg * 0.0174533;
   return exp_se3(xi);
@@ -54,8 +54,8 @@ Eigen::Isometry3d motion(double forward_m, double yaw_deg, double pitch_deg) {
 TEST_CASE("two steps find a known motion from a guess that is half a metre off", "[odometry][registration]") {
   OdometryConfig config;
   config.targets = GENERATE(TargetKind::kCells, TargetKind::kRings);
-  const Eigen::Isometry3d T_true = motion(0.5, 1.0, 0.3);
-  Pair pair(T_true, 0.01, config);
+  const Eigen::Isometry3d T_true = motion_of(0.5, 1.0, 0.3);
+  RegisteredPair pair(T_true, 0.01, config);
   TwoStepRegistration registration(config, 8000);
   const RegistrationResult result =
       registration.align(pair.sources, pair.targets, Eigen::Isometry3d::Identity(), 0.0);
@@ -74,8 +74,8 @@ TEST_CASE("the stated information fits the spread of the errors", "[odometry][re
   double sum = 0.0;
   constexpr int kDraws = 6;
   for (int i = 0; i < kDraws; ++i) {
-    const Eigen::Isometry3d T_true = motion(0.5 + 0.1 * i, 0.5 * i, 0.0);
-    Pair pair(T_true, 0.02);
+    const Eigen::Isometry3d T_true = motion_of(0.5 + 0.1 * i, 0.5 * i, 0.0);
+    RegisteredPair pair(T_true, 0.02);
     const RegistrationResult result = registration.align(pair.sources, pair.targets, T_true, 0.0);
     const Vector6d error = log_se3(T_true.inverse() * result.T_target_source);
     sum += error.dot(result.information * error);
@@ -86,8 +86,8 @@ TEST_CASE("the stated information fits the spread of the errors", "[odometry][re
 }
 
 TEST_CASE("the paper's gain of 0.05 leaves most of an unpredicted motion", "[odometry][registration]") {
-  const Eigen::Isometry3d T_true = motion(1.0, 0.0, 0.0);
-  Pair pair(T_true, 0.0);
+  const Eigen::Isometry3d T_true = motion_of(1.0, 0.0, 0.0);
+  RegisteredPair pair(T_true, 0.0);
   OdometryConfig config;
   config.update_gain = 0.05;
   TwoStepRegistration damped(config, 8000);
@@ -100,7 +100,7 @@ TEST_CASE("without features the guess comes back", "[odometry][registration]") {
   const FeatureSet nothing(10);
   Targets no_targets(OdometryConfig{}, 10);
   TwoStepRegistration registration(OdometryConfig{}, 10);
-  const Eigen::Isometry3d T_guess = motion(0.7, 1.0, 0.0);
+  const Eigen::Isometry3d T_guess = motion_of(0.7, 1.0, 0.0);
   const RegistrationResult result = registration.align(nothing, no_targets, T_guess, 0.1);
   REQUIRE(result.T_target_source.isApprox(T_guess, 1e-12));
   REQUIRE(result.ground_matches == 0);

@@ -35,7 +35,7 @@ struct Listener {
   std::string address() const { return "127.0.0.1:" + std::to_string(port); }
 };
 
-PoseV1 example() {
+PoseV1 example_pose() {
   PoseV1 pose{};
   pose.magic = PAGO_POSE_V1;
   pose.kind = PAGO_POSE_REFINED;
@@ -56,7 +56,7 @@ PoseV1 example() {
 TEST_CASE("a pose arrives as a datagram of its bytes", "[output][pose_sender]") {
   const Listener listener;
   PoseSender sender(listener.address());
-  const PoseV1 sent = example();
+  const PoseV1 sent = example_pose();
   sender.send(sent);
   PoseV1 got{};
   REQUIRE(recv(listener.fd, &got, sizeof got, 0) == sizeof got);
@@ -71,7 +71,7 @@ TEST_CASE("nobody need listen", "[output][pose_sender]") {
     nobody = gone.address();
   }
   PoseSender sender(nobody);
-  for (int i = 0; i < 10; ++i) sender.send(example());
+  for (int i = 0; i < 10; ++i) sender.send(example_pose());
   CHECK(sender.unsent() == 0);
 }
 
@@ -82,7 +82,7 @@ TEST_CASE("a destination that is none is refused by its key", "[output][pose_sen
 }
 
 TEST_CASE("a pose is a line of JSON with every digit", "[output][pose_sender]") {
-  const std::string line = pose_line(example());
+  const std::string line = pose_line(example_pose());
   CHECK(line.back() == '\n');
   CHECK(line.find('\n') == line.size() - 1);
   const auto json = nlohmann::json::parse(line);
@@ -100,8 +100,8 @@ TEST_CASE("lines reach their file at once", "[output][pose_sender]") {
   const test::ScratchFolder scratch;
   const auto file = scratch.path / "poses.jsonl";
   PoseLines lines(file.string());
-  lines.write(example());
-  CHECK(test::contents(file) == pose_line(example()));
+  lines.write(example_pose());
+  CHECK(test::contents(file) == pose_line(example_pose()));
   CHECK(lines.complaint().empty());
   CHECK_THROWS_AS(PoseLines((scratch.path / "no" / "folder").string()), Error);
 }

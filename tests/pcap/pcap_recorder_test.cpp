@@ -189,7 +189,7 @@ TEST_CASE("a full disk costs what it does not take, counted, and the file stays 
 TEST_CASE("writing goes on when a full disk has room again", "[pcap][record]") {
   const TemporaryPath file(".pcap");
   const Bytes payload(1206, 0x5A);
-  PcapWriter writer(file.path());
+  pago::PcapWriter writer(file.path());
   FileSizeLimit full(200'000);
   for (int i = 0; i < 400; ++i) writer.write(payload, kStart_ns + i);
   writer.flush();

@@ -53,9 +53,10 @@ std::string refusal(const std::filesystem::path& file, const PacketFilterConfig&
 
 TEST_CASE("datagrams come out as they were written", "[pcap][source]") {
   const TemporaryPath file(".pcap");
-  const auto stamps = GENERATE(PcapWriter::Stamps::kMicroseconds, PcapWriter::Stamps::kNanoseconds);
+  const auto stamps =
+      GENERATE(test::PcapWriter::Stamps::kMicroseconds, test::PcapWriter::Stamps::kNanoseconds);
   {
-    PcapWriter writer(file.path(), stamps);
+    test::PcapWriter writer(file.path(), stamps);
     for (std::size_t i = 0; i < 200; ++i)
       writer.write_udp(counting_payload(i * 10, static_cast<std::uint8_t>(i)),
                        kStampNs + static_cast<std::int64_t>(i) * 288'000);
@@ -68,7 +69,7 @@ TEST_CASE("datagrams come out as they were written", "[pcap][source]") {
     REQUIRE(got[i].payload == counting_payload(i * 10, static_cast<std::uint8_t>(i)));
     const std::int64_t written_ns = kStampNs + static_cast<std::int64_t>(i) * 288'000;
     REQUIRE(d.arrival_ns ==
-            (stamps == PcapWriter::Stamps::kNanoseconds ? written_ns : written_ns / 1000 * 1000));
+            (stamps == test::PcapWriter::Stamps::kNanoseconds ? written_ns : written_ns / 1000 * 1000));
     REQUIRE(d.source_ipv4 == 0xC0A8032B);
     REQUIRE(d.source_port == 443);
     REQUIRE(d.destination_port == 2368);
@@ -82,7 +83,7 @@ TEST_CASE("datagrams come out as they were written", "[pcap][source]") {
 TEST_CASE("a batch holds at most 64 datagrams", "[pcap][source]") {
   const TemporaryPath file(".pcap");
   {
-    PcapWriter writer(file.path());
+    test::PcapWriter writer(file.path());
     for (int i = 0; i < 128; ++i) writer.write_udp(counting_payload(1206), kStampNs);
   }
   PcapSource source(file.path());
@@ -96,7 +97,7 @@ TEST_CASE("a batch holds at most 64 datagrams", "[pcap][source]") {
 TEST_CASE("a capture of other traffic gives empty batches, not a long silence", "[pcap][source]") {
   const TemporaryPath file(".pcap");
   {
-    PcapWriter writer(file.path());
+    test::PcapWriter writer(file.path());
     for (int i = 0; i < 5000; ++i) writer.write_udp(counting_payload(10), kStampNs, {.destination_port = 53});
   }
   PcapSource source(file.path());
@@ -110,7 +111,7 @@ TEST_CASE("a capture of other traffic gives empty batches, not a long silence", 
 TEST_CASE("port and sender choose one sensor of several", "[pcap][source]") {
   const TemporaryPath file(".pcap");
   {
-    PcapWriter writer(file.path());
+    test::PcapWriter writer(file.path());
     const Octets payload = counting_payload(1206);
     writer.write_udp(payload, kStampNs);
     writer.write_udp(payload, kStampNs, {.source_ipv4 = 0xC0A8032C});
@@ -137,7 +138,7 @@ TEST_CASE("every bad record is counted by its reason", "[pcap][source]") {
   const Octets datagram = udp(payload);
   const OctetView head = OctetView(datagram).first(1000), tail = OctetView(datagram).subspan(1000);
   {
-    PcapWriter writer(file.path());
+    test::PcapWriter writer(file.path());
     const Octets frame = udp_frame(payload);
     writer.write(OctetView(frame).first(600), kStampNs, frame.size());  // truncated
     writer.write(OctetView(frame).first(10), kStampNs, frame.size());   // truncated before any header
@@ -174,7 +175,7 @@ TEST_CASE("fragments of another sender do not disturb", "[pcap][source]") {
   const Octets datagram = udp(counting_payload(1206));
   const OctetView head = OctetView(datagram).first(1000), tail = OctetView(datagram).subspan(1000);
   {
-    PcapWriter writer(file.path());
+    test::PcapWriter writer(file.path());
     const Endpoints other{.source_ipv4 = 0xC0A8032C};
     writer.write(ethernet(ipv4(head, {}, {.id = 1, .more = true})), kStampNs);
     writer.write(ethernet(ipv4(head, other, {.id = 1, .more = true})), kStampNs);
@@ -192,7 +193,7 @@ TEST_CASE("a capture cut anywhere gives what came before and says where it ends"
   const Octets frame = udp_frame(counting_payload(100));
   const std::size_t record = 16 + frame.size();
   {
-    PcapWriter writer(file.path());
+    test::PcapWriter writer(file.path());
     for (int i = 0; i < 4; ++i) writer.write(frame, kStampNs);
   }
   for (std::size_t bytes = 24; bytes <= 24 + 4 * record; ++bytes) {
@@ -219,7 +220,7 @@ TEST_CASE("a damaged record header ends the capture with a complaint", "[pcap][s
   const TemporaryPath file(".pcap");
   const Octets frame = udp_frame(counting_payload(100));
   {
-    PcapWriter writer(file.path());
+    test::PcapWriter writer(file.path());
     for (int i = 0; i < 3; ++i) writer.write(frame, kStampNs);
   }
   {
@@ -248,13 +249,13 @@ TEST_CASE("what cannot be read is refused with a reason and a hint", "[pcap][sou
              Contains("not a capture") && Contains("pcapng"));
   CHECK_THAT(holding("\x1F\x8B\x08 and so on and so on and so on"), Contains("gunzip"));
   CHECK_THAT(holding("\xD4\xC3\xB2\xA1\x02"), Contains("not a capture"));
-  { PcapWriter writer(file.path(), PcapWriter::Stamps::kNanoseconds, 105); }
+  { test::PcapWriter writer(file.path(), test::PcapWriter::Stamps::kNanoseconds, 105); }
   CHECK_THAT(refusal(file.path()), Contains("link layer") && Contains("IEEE802_11"));
 }
 
 TEST_CASE("an impossible filter is refused by its key", "[pcap][source]") {
   const TemporaryPath file(".pcap");
-  { PcapWriter writer(file.path()); }
+  { test::PcapWriter writer(file.path()); }
   CHECK_THAT(refusal(file.path(), {2368, "lidar"}),
              Catch::Contains("packets.source_address") && Catch::Contains("lidar"));
   CHECK_THAT(refusal(file.path(), {2368, "0.0.0.0"}), Catch::Contains("packets.source_address"));
@@ -266,7 +267,7 @@ TEST_CASE("reading allocates nothing", "[pcap][source]") {
   const TemporaryPath file(".pcap");
   const Octets datagram = udp(counting_payload(1206));
   {
-    PcapWriter writer(file.path());
+    test::PcapWriter writer(file.path());
     for (std::uint16_t id = 0; id < 500; ++id) {
       writer.write_udp(counting_payload(1206), kStampNs);
       writer.write(ethernet(ipv4(OctetView(datagram).first(1000), {}, {.id = id, .more = true})), kStampNs);

@@ -15,15 +15,6 @@ using namespace pago;
 
 namespace {
 
-const std::vector<test::PacketBytes>& street_drive() {
-  static const std::vector<test::PacketBytes> packets = [] {
-    Vector6d twist = Vector6d::Zero();
-    twist[0] = 8.0, twist[5] = 0.1;
-    return test::drive_packets(twist, 5);
-  }();
-  return packets;
-}
-
 struct Collector final : Observer {
   void on_sweep(const output::SweepRecord& record) override {
     records.push_back(record);
@@ -81,10 +72,10 @@ Config live_config() {
 
 TEST_CASE("a live run that keeps up gives the bytes of a replay, and each pose twice", "[pipeline][live]") {
   Collector live, replay;
-  PatientSource patient(street_drive(), live.num_through);
+  PatientSource patient(test::street_drive(), live.num_through);
   const RunSummary summary =
       Pipeline(live_config(), Pace::kLive).run(patient, test::ideal_calibration(), live, live.stop);
-  test::MemorySource memory(street_drive());
+  test::MemorySource memory(test::street_drive());
   Pipeline(live_config()).run(memory, test::ideal_calibration(), replay, replay.stop);
 
   REQUIRE(summary.balanced());
@@ -109,14 +100,14 @@ TEST_CASE("a live run that keeps up gives the bytes of a replay, and each pose t
     CHECK(live.poses[i].sequence == live.records[i / 2].header.sequence);
     CHECK(live.poses[i].published_ns > 0);
   }
-  CHECK(live.status.packets.decoded == street_drive().size());
+  CHECK(live.status.packets.decoded == test::street_drive().size());
   CHECK(stream_state(live.status, live.status.last_delivery_ns) == StreamState::kRunning);
 }
 
 TEST_CASE("a source faster than the pipeline costs whole sweeps, each counted by its cause",
           "[pipeline][live]") {
   Collector collector;
-  test::MemorySource source(street_drive());
+  test::MemorySource source(test::street_drive());
   Config config = live_config();
   config.assembly.ring_size = 2;
   config.pipeline.max_pending = 1;
@@ -125,7 +116,7 @@ TEST_CASE("a source faster than the pipeline costs whole sweeps, each counted by
   INFO("no free sweep " << summary.sweeps.dropped[0] << ", superseded " << summary.sweeps.dropped[1]);
   REQUIRE(summary.balanced());
   CHECK(summary.sweeps.dropped_total() > 0);
-  CHECK(summary.packets.decoded == street_drive().size());
+  CHECK(summary.packets.decoded == test::street_drive().size());
   std::uint64_t posed = 0, superseded = 0;
   for (const auto& record : collector.records) {
     posed += record.has_pose ? 1U : 0U;
@@ -144,7 +135,7 @@ TEST_CASE("a live run that dropped sweeps is repeated to the last bit when told 
   config.assembly.ring_size = 2;
   config.pipeline.max_pending = 1;
   config.assembly.sectors = GENERATE(1, 4);
-  test::MemorySource source(street_drive());
+  test::MemorySource source(test::street_drive());
   Pipeline overloaded(config, Pace::kLive);
   live.reset_at = 2;
   live.on_reset = [&] { overloaded.request_reset(); };
@@ -153,7 +144,7 @@ TEST_CASE("a live run that dropped sweeps is repeated to the last bit when told 
   for (const auto& record : live.records) log.add(record);
   log.close(summary.requests);
 
-  test::MemorySource again(street_drive());
+  test::MemorySource again(test::street_drive());
   Pipeline(config, Pace::kReplay, log.decisions()).run(again, test::ideal_calibration(), replay, replay.stop);
   REQUIRE(replay.records.size() == live.records.size());
   for (std::size_t i = 0; i < live.records.size(); ++i) {

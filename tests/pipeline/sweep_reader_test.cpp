@@ -12,12 +12,12 @@ using namespace pago;
 
 namespace {
 
-const std::vector<test::PacketBytes>& street_drive() {
+const std::vector<test::PacketBytes>& three_sweeps() {
   static const std::vector<test::PacketBytes> packets = test::drive_packets(Vector6d::Zero(), 3);
   return packets;
 }
 
-struct Collector final : Observer {
+struct RecordKeeper final : Observer {
   void on_sweep(const output::SweepRecord& record) override { records.push_back(record); }
   std::vector<output::SweepRecord> records;
 };
@@ -61,8 +61,8 @@ class TwoScans final : public SweepSource {
 
 TEST_CASE("a reader gives the sweeps that a replay makes, the parts at the ends too",
           "[pipeline][sweep_reader]") {
-  test::MemorySource replayed(street_drive()), read(street_drive());
-  Collector replay;
+  test::MemorySource replayed(three_sweeps()), read(three_sweeps());
+  RecordKeeper replay;
   const std::atomic<bool> stop{false};
   Pipeline(Config{}).run(replayed, test::ideal_calibration(), replay, stop);
 
@@ -84,7 +84,7 @@ TEST_CASE("a reader gives the sweeps that a replay makes, the parts at the ends 
 
 TEST_CASE("what a source knows of its packets labels the reader's sweeps, and the pipeline's",
           "[pipeline][sweep_reader]") {
-  RoadSource read(street_drive()), replayed(street_drive());
+  RoadSource read(three_sweeps()), replayed(three_sweeps());
   SweepReader reader(Config{}, read, test::ideal_calibration());
   Sweep* const sweep = reader.next();
   REQUIRE(sweep != nullptr);
@@ -93,7 +93,7 @@ TEST_CASE("what a source knows of its packets labels the reader's sweeps, and th
 
   Config config;
   config.ground.method = "truth";
-  Collector replay;
+  RecordKeeper replay;
   const std::atomic<bool> stop{false};
   Pipeline(config).run(replayed, test::ideal_calibration(), replay, stop);
   REQUIRE(replay.records.size() >= 3);

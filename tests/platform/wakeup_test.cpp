@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::int64_t kMillisecond_ns = 1'000'000;
 /// Longer than any hiccup of a loaded machine: who waits so long was never woken.
-constexpr std::int64_t kNever_ns = 60'000 * kMillisecond_ns;
+constexpr std::int64_t kNoSleepSoLong_ns = 60'000 * kMillisecond_ns;
 
 }  // namespace
 
@@ -43,7 +43,7 @@ TEST_CASE("a condition that was met is not asked again, so it may take what it f
       wakeup.notify();  // never lets the waiter fall asleep
       return ++looks == met_at;
     };
-    CHECK(wakeup.wait_for(ready, kNever_ns));
+    CHECK(wakeup.wait_for(ready, kNoSleepSoLong_ns));
     CHECK(looks == met_at);
   }
 }
@@ -75,7 +75,8 @@ TEST_CASE("a sleeper wakes for each change, from any of several notifiers", "[pl
   bool was_woken = true;
   while (was_woken && seen < kChanges) {
     const int known = seen.load();
-    was_woken = wakeup.wait_for([&] { return changes.load(std::memory_order_acquire) > known; }, kNever_ns);
+    was_woken =
+        wakeup.wait_for([&] { return changes.load(std::memory_order_acquire) > known; }, kNoSleepSoLong_ns);
     seen = changes.load();
   }
   seen = kChanges;

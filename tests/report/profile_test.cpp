@@ -20,7 +20,7 @@ constexpr std::int64_t kMs = 1'000'000;
 /// Ground takes 2 ms of CPU and 3 of wall time, and `extra_ns` more in sweeps that `is_slow` names; poses
 /// come after 20 ms, in each tenth sweep after 120.
 template <typename IsSlow>
-TimedRun run_of(const std::string& name, int sweeps, std::int64_t extra_ns, const IsSlow& is_slow) {
+TimedRun timed_run_of(const std::string& name, int sweeps, std::int64_t extra_ns, const IsSlow& is_slow) {
   TimedRun run{name, {}};
   run.files.facts.source = "drive.pcap";
   run.files.facts.is_live = true;
@@ -37,8 +37,8 @@ TimedRun run_of(const std::string& name, int sweeps, std::int64_t extra_ns, cons
   return run;
 }
 
-TimedRun run_of(const std::string& name, int sweeps = 100) {
-  return run_of(name, sweeps, 0, [](int) { return false; });
+TimedRun timed_run_of(const std::string& name, int sweeps = 100) {
+  return timed_run_of(name, sweeps, 0, [](int) { return false; });
 }
 
 const ProfileChange& find(const std::vector<ProfileChange>& all, const std::string& name, TimeKind kind) {
@@ -48,7 +48,7 @@ const ProfileChange& find(const std::vector<ProfileChange>& all, const std::stri
 
 TEST_CASE("each kind of time that a run has is a row, a replay has no waits and no time to poses",
           "[report][profile]") {
-  TimedRun run = run_of("a");
+  TimedRun run = timed_run_of("a");
   const auto has = [&](TimeKind kind) {
     const auto rows = profile_rows(run.files);
     return std::any_of(rows.begin(), rows.end(), [&](const ProfileRow& r) { return r.kind == kind; });
@@ -62,7 +62,7 @@ TEST_CASE("each kind of time that a run has is a row, a replay has no waits and 
 }
 
 TEST_CASE("a pose that is late or missing is a miss of its deadline", "[report][profile]") {
-  TimedRun run = run_of("a");
+  TimedRun run = timed_run_of("a");
   CHECK(deadline_misses(run.files, 100.0).late == 10);
   CHECK(deadline_misses(run.files, 120.0).late == 0);
   CHECK(deadline_misses(run.files, 19.0).late == 100);
@@ -75,8 +75,8 @@ TEST_CASE("a pose that is late or missing is a miss of its deadline", "[report][
 }
 
 TEST_CASE("runs are compared sweep by sweep, by number", "[report][profile]") {
-  const TimedRun before = run_of("a");
-  TimedRun after = run_of("b", 110, kMs / 10, [](int i) { return i % 4 != 0; });
+  const TimedRun before = timed_run_of("a");
+  TimedRun after = timed_run_of("b", 110, kMs / 10, [](int i) { return i % 4 != 0; });
   after.files.latency.erase(after.files.latency.begin(), after.files.latency.begin() + 20);
   const ProfileChange c = find(profile_changes(before.files, after.files), "ground", TimeKind::kCpu);
   CHECK(c.num_pairs == 80);
@@ -87,9 +87,9 @@ TEST_CASE("runs are compared sweep by sweep, by number", "[report][profile]") {
 }
 
 TEST_CASE("what chance can do is not called a difference", "[report][profile]") {
-  const TimedRun before = run_of("a");
+  const TimedRun before = timed_run_of("a");
   const auto share = [&](int in_100) {
-    TimedRun after = run_of("b", 100, 1, [&](int i) { return i < in_100; });
+    TimedRun after = timed_run_of("b", 100, 1, [&](int i) { return i < in_100; });
     // The rest is as much faster, so that there are no ties.
     for (int i = in_100; i < 100; ++i)
       after.files.latency[static_cast<std::size_t>(i)]
@@ -105,8 +105,8 @@ TEST_CASE("what chance can do is not called a difference", "[report][profile]") 
 }
 
 TEST_CASE("runs of other sweeps have no pairs, and are compared all the same", "[report][profile]") {
-  const TimedRun before = run_of("a");
-  TimedRun after = run_of("b");
+  const TimedRun before = timed_run_of("a");
+  TimedRun after = timed_run_of("b");
   for (output::LatencyRow& row : after.files.latency) row.sequence += 1000;
   const ProfileChange c = find(profile_changes(before.files, after.files), "ground", TimeKind::kCpu);
   CHECK(c.num_pairs == 0);
@@ -117,20 +117,20 @@ TEST_CASE("runs of other sweeps have no pairs, and are compared all the same", "
 }
 
 TEST_CASE("the terminal says what was lost, late, and how long each stage took", "[report][profile]") {
-  const std::string text = profile_text(run_of("results/1"), 100.0);
+  const std::string text = profile_text(timed_run_of("results/1"), 100.0);
   CHECK_THAT(text,
              Contains("run       results/1 of drive.pcap\n") &&
                  Contains("sweeps    100, dropped 3 (3 superseded); refined pose later than 100 ms, or none: "
                           "10 of 100\n") &&
                  Contains("  ground        wait      1.00     1.00     1.00     1.00     1.00      100\n") &&
                  Contains("  refined pose  wall     20.00    20.00   120.00   120.00   120.00      100\n"));
-  TimedRun replay = run_of("a");
+  TimedRun replay = timed_run_of("a");
   replay.files.facts.is_live = false;
   CHECK_THAT(profile_text(replay, 100.0), Contains("a replay") && !Contains("wall"));
 }
 
 TEST_CASE("the page of one run and of two is whole, and fetches nothing", "[report][profile]") {
-  const TimedRun a = run_of("a"), b = run_of("b", 100, kMs, [](int) { return true; });
+  const TimedRun a = timed_run_of("a"), b = timed_run_of("b", 100, kMs, [](int) { return true; });
   for (const ProfilePage& page : {ProfilePage{{a}, 100.0, "made"}, ProfilePage{{a, b}, 100.0, "made"}}) {
     const std::string html = profile_page(page);
     CHECK(misplaced_tag(html) == "");

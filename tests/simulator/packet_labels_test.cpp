@@ -15,13 +15,13 @@ using namespace pago::simulator;
 
 namespace {
 
-constexpr std::int64_t kStart_ns = 1'772'446'500'000'000'000;
+constexpr std::int64_t kFirstPacket_ns = 1'772'446'500'000'000'000;
 
 /// A packet whose slots' classes tell laser and firing apart: firing k, laser l.
 SimulatedPacket packet(int number) {
   constexpr std::array<std::uint16_t, 4> kClasses{40, 50, 252, 70};
   SimulatedPacket result;
-  result.time_ns = kStart_ns + number * hdl64::kPacketPeriod_ns;
+  result.time_ns = kFirstPacket_ns + number * hdl64::kPacketPeriod_ns;
   for (std::size_t slot = 0; slot < kSlotsPerPacket; ++slot)
     result.labels[slot] = kClasses[(slot + slot / 32 + static_cast<std::size_t>(number)) % 4];
   return result;
@@ -34,7 +34,7 @@ std::uint16_t expected(int number, int firing, int laser) {
 /// A sweep of every laser in the first firings of some packets; its clock is `shift_ns` off.
 void fill(Sweep& sweep, const hdl64::Calibration& unit, int packets, std::int64_t shift_ns) {
   sweep.reset();
-  sweep.header.start_ns = kStart_ns + shift_ns;
+  sweep.header.start_ns = kFirstPacket_ns + shift_ns;
   for (int number = 0; number < packets; ++number) {
     for (int firing = 0; firing < 6; ++firing) {
       for (int laser = 0; laser < 64; ++laser) {
@@ -72,7 +72,7 @@ TEST_CASE("a dual-return packet's second returns find their own classes", "[simu
   LabelTrack track(20, 57'600, 3);
   track.add(packet(0));
   Sweep sweep(64 * 3 * 2);
-  sweep.header.start_ns = kStart_ns;
+  sweep.header.start_ns = kFirstPacket_ns;
   for (int firing = 0; firing < 3; ++firing) {
     for (const std::uint8_t echo : {std::uint8_t{0}, std::uint8_t{kNotStrongest | kNotLast}}) {
       for (int laser = 0; laser < 64; ++laser) {

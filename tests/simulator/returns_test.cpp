@@ -15,7 +15,7 @@ constexpr Surface kWall{Material::kPlaster, 128, Label::kBuilding},
 constexpr ReturnModel kExact{.range_noise_m = 0.0};
 
 /// Part of 4,000 beams that come back.
-double share_detected(const Echo& echo, const ReturnModel& model) {
+double share_detected(const simulator::Echo& echo, const ReturnModel& model) {
   int detected = 0;
   for (int i = 0; i < 4000; ++i) {
     Random random(1, i);
@@ -24,7 +24,7 @@ double share_detected(const Echo& echo, const ReturnModel& model) {
   return detected / 4000.0;
 }
 
-Returns two(const Echo& a, const Echo& b) {
+Returns two(const simulator::Echo& a, const simulator::Echo& b) {
   Random random(7);
   return returns_of(kExact, {a, b}, 2, {}, random);
 }
@@ -35,7 +35,7 @@ TEST_CASE("what is near and bright comes back, what is far, dark and grazing doe
           "[simulator][returns]") {
   CHECK(share_detected({10.0, 1.0, kWall, 1.0}, kExact) > 0.99);
   CHECK(share_detected({100.0, 1.0, kWall, 1.0}, kExact) > 0.9);
-  const auto road = [](double range) { return Echo{range, 1.9 / range, kRoad, 1.0}; };
+  const auto road = [](double range) { return simulator::Echo{range, 1.9 / range, kRoad, 1.0}; };
   CHECK(share_detected(road(10.0), kExact) > 0.99);
   CHECK(share_detected(road(50.0), kExact) == Approx(0.5).margin(0.1));
   CHECK(share_detected(road(110.0), kExact) < 0.1);
@@ -43,7 +43,7 @@ TEST_CASE("what is near and bright comes back, what is far, dark and grazing doe
 
 TEST_CASE("a wet road loses half of its returns and a dry wall none", "[simulator][returns]") {
   const ReturnModel wet{.range_noise_m = 0.0, .wetness = 1.0};
-  const Echo road{16.0, 1.9 / 16.0, kRoad, 1.0};
+  const simulator::Echo road{16.0, 1.9 / 16.0, kRoad, 1.0};
   CHECK(share_detected(road, kExact) > 0.97);
   CHECK(share_detected({28.0, 1.9 / 28.0, kRoad, 1.0}, wet) < 0.5);
   CHECK(share_detected({16.0, 1.0, kWall, 1.0}, wet) > 0.99);
@@ -54,7 +54,9 @@ TEST_CASE("a laser's own losses come on top", "[simulator][returns]") {
   for (int i = 0; i < 4000; ++i) {
     Random random(1, i);
     detected +=
-        returns_of(kExact, {Echo{5.0, 1.0, kWall, 1.0}, {}}, 1, {1.0, 0.08}, random)[0].is_there ? 1 : 0;
+        returns_of(kExact, {simulator::Echo{5.0, 1.0, kWall, 1.0}, {}}, 1, {1.0, 0.08}, random)[0].is_there
+            ? 1
+            : 0;
   }
   CHECK(detected / 4000.0 == Approx(0.92).margin(0.02));
 }
@@ -64,7 +66,8 @@ TEST_CASE("intensities are levelled up to 25 m, and fade out beyond", "[simulato
     double sum = 0.0;
     for (int i = 0; i < 500; ++i) {
       Random random(9, i);
-      sum += returns_of(kExact, {Echo{range_m, cos_incidence, surface, 1.0}, {}}, 1, {}, random)[0].intensity;
+      sum += returns_of(kExact, {simulator::Echo{range_m, cos_incidence, surface, 1.0}, {}}, 1, {}, random)[0]
+                 .intensity;
     }
     return sum / 500.0;
   };
@@ -95,7 +98,7 @@ TEST_CASE("rain comes back from near by, dark, as an outlier", "[simulator][retu
   int drops = 0;
   for (int i = 0; i < 4000; ++i) {
     Random random(3, i);
-    const Return r = returns_of(rain, {Echo{30.0, 1.0, kWall, 1.0}, {}}, 1, {}, random)[0];
+    const Return r = returns_of(rain, {simulator::Echo{30.0, 1.0, kWall, 1.0}, {}}, 1, {}, random)[0];
     if (r.label != Label::kOutlier) continue;
     ++drops;
     REQUIRE(r.range_m < 16.0);
@@ -108,8 +111,9 @@ TEST_CASE("grass stops beams early", "[simulator][returns]") {
   double sum = 0.0;
   for (int i = 0; i < 2000; ++i) {
     Random random(5, i);
-    const Return r = returns_of(kExact, {Echo{10.0, 0.2, {Material::kGrass, 128, Label::kTerrain}, 1.0}, {}},
-                                1, {}, random)[0];
+    const Return r =
+        returns_of(kExact, {simulator::Echo{10.0, 0.2, {Material::kGrass, 128, Label::kTerrain}, 1.0}, {}}, 1,
+                   {}, random)[0];
     REQUIRE(r.range_m <= 10.0);
     REQUIRE(r.range_m >= 9.5);
     sum += 10.0 - r.range_m;

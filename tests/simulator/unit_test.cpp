@@ -13,11 +13,7 @@
 using namespace pago;
 using namespace pago::simulator;
 
-namespace {
-
-constexpr double kDegree = std::numbers::pi / 180.0;
-
-}  // namespace
+namespace {}  // namespace
 
 TEST_CASE("PaGO reads a unit's written calibration as it is", "[simulator][unit]") {
   const hdl64::Calibration unit = made_up_unit();

@@ -85,4 +85,14 @@ class MemorySource final : public PacketSource {
   SourceCounters counters_;
 };
 
+/// Five sweeps at 8 m/s into a bend.
+inline const std::vector<PacketBytes>& street_drive() {
+  static const std::vector<PacketBytes> packets = [] {
+    Vector6d twist = Vector6d::Zero();
+    twist[0] = 8.0, twist[5] = 0.1;
+    return drive_packets(twist, 5);
+  }();
+  return packets;
+}
+
 }  // namespace pago::test
