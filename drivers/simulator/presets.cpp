@@ -15,6 +15,7 @@ Preset urban() {
   Preset preset;
   preset.ground.road_roughness_m = 0.007;
   preset.ground.speed_bumps = 0.15;
+  preset.has_uneven_streets = true;
   preset.road.half_width_m = 5.5;
   return preset;
 }
@@ -22,6 +23,7 @@ Preset urban() {
 Preset rural() {
   Preset preset;
   GroundStyle& ground = preset.ground;
+  preset.has_uneven_streets = true;
   ground.kerb_low_m = -0.05;
   ground.kerb_high_m = 0.01;
   ground.sidewalk_m = 1.2;

@@ -17,6 +17,7 @@ struct Preset {
   Scenery scenery;
   TrafficStyle traffic;
   Pace pace;
+  bool has_uneven_streets = false;  ///< as KITTI's are within a metre or two (materials.hpp: relief_m)
   RoadShape road;  ///< of a drive that is made up; in `urban` only the width matters, along a path
 };
 

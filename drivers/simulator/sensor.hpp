@@ -34,6 +34,7 @@ struct SensorSetup {
   double head_stops_at_s = 0.0;  ///< 0: never
   ReturnModel returns;
   Eigen::Isometry3d T_base_sensor = Eigen::Isometry3d::Identity();
+  bool has_uneven_ground = false;  ///< hollows and rises too small for the mesh (materials.hpp)
   std::uint64_t seed = 0;
   bool has_wide_beams = true;  ///< false: each is a line, and no edge cuts it
   bool has_dropouts = true;    ///< false: none but those that are too weak

@@ -9,6 +9,7 @@
 #include "packet_stream.hpp"
 #include "pago/core/units.hpp"
 #include "pago/simulator/unit.hpp"
+#include "presets.hpp"
 #include "surroundings.hpp"
 
 namespace pago::simulator {
@@ -56,6 +57,7 @@ SensorSetup sensor_setup(const SimulatorConfig& config, const hdl64::Calibration
           .head_stops_at_s = config.faults.head_stops_at_s,
           .returns = {config.range_noise_m, config.outliers, config.wetness},
           .T_base_sensor = mount.T_base_sensor(),
+          .has_uneven_ground = preset_of(config.world).has_uneven_streets,
           .seed = seed};
 }
 
