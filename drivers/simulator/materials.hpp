@@ -12,7 +12,7 @@ struct Optics {
   double shine;         ///< part of the light that is mirrored away unless the beam comes square on
   double transmission;  ///< chance that the beam goes through
   double pile_m;        ///< depth of blades and twigs that it may be stopped in before it reaches the surface
-  double relief_m;      ///< amplitude of hollows and rises too small for the mesh of triangles
+  bool is_uneven;       ///< has hollows and rises too small for the mesh of triangles
 };
 const Optics& optics(Material material) noexcept;
 

@@ -38,7 +38,7 @@ Return measured(const Echo& echo,
                 const ReturnModel& model,
                 const LaserOptics& laser,
                 Random& random) noexcept {
-  const double inverse_cos = 1.0 / std::max(0.08, echo.cos_incidence);
+  const double inverse_cos = 1.0 / std::max(kLeastCosIncidence, echo.cos_incidence);
   // Even at 85 degrees KITTI's unit is hardly noisier than square on.
   const double noise_m = model.range_noise_m * (0.97 + 0.03 * inverse_cos) * random.normal();
   // Blades of grass stop a beam before it comes to the soil.

@@ -10,6 +10,9 @@
 
 namespace pago::simulator {
 
+/// A surface is met no flatter than by this cosine: what grows as its inverse stays finite.
+inline constexpr double kLeastCosIncidence = 0.08;
+
 /// A surface in a beam.
 struct Echo {
   double range_m = 0.0;

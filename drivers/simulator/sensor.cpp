@@ -133,12 +133,11 @@ Echo Sensor::echo_of(const Volley& volley,
                      const RayPacket& rays,
                      const Hit& hit,
                      const Eigen::Vector3d& origin) const noexcept {
-  constexpr double kFlattest = 0.08;
   const Beam& beam = volley.beams[i];
   const Eigen::Vector3d at = origin + (rays.foot(i) + hit.range_m * rays.way(i)).cast<double>();
   const double cos_incidence = std::abs(double{hit.normal.normalized().dot(rays.way(i))});
   const double rise_m = setup_.has_uneven_ground ? relief_m(hit.surface.material, at.x(), at.y()) : 0.0;
-  const double range_m = double{hit.range_m} - rise_m / std::max(kFlattest, cos_incidence);
+  const double range_m = double{hit.range_m} - rise_m / std::max(kLeastCosIncidence, cos_incidence);
   const Eigen::Vector3d normal = beam.R_world_sensor.transpose() * hit.normal.cast<double>();
   return {.range_m = lines_[volley.laser].measured_m(beam.heading, range_m, normal),
           .cos_incidence = cos_incidence,

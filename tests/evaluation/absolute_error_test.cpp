@@ -13,7 +13,7 @@ using namespace pago::evaluation;
 using namespace pago::test;
 
 AbsoluteErrors ate(const Trajectory& truth, const Trajectory& estimate, Alignment alignment) {
-  return absolute_errors(match(truth, estimate, {.matching = Matching::kRow}), alignment);
+  return absolute_errors(by_row(truth, estimate), alignment);
 }
 
 double rmse(const Trajectory& truth, const Trajectory& estimate, Alignment alignment) {

@@ -22,7 +22,7 @@ std::vector<Eigen::Isometry3d> path_of(const Trajectory& trajectory) {
 }
 
 PairErrors errors(const Trajectory& truth, const Trajectory& estimate, const PairOptions& options) {
-  return pair_errors(match(truth, estimate, {.matching = Matching::kRow}), options);
+  return pair_errors(by_row(truth, estimate), options);
 }
 
 TEST_CASE("chained pairs begin at the first crossing, not at the first pose", "[evaluation][pair_errors]") {

@@ -4,10 +4,10 @@
 
 #include <algorithm>
 #include <complex>
-#include <numbers>
 
 #include "evaluation/paths.hpp"
 #include "pago/core/error.hpp"
+#include "pago/core/units.hpp"
 #include "support/catch.hpp"
 
 namespace {

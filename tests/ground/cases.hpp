@@ -8,10 +8,13 @@
 #include <vector>
 
 #include "pago/ground/segmenter.hpp"
+#include "support/scene.hpp"
 
 namespace pago::test {
 
 inline constexpr std::uint32_t kMaxReturns = 140'000;
+inline constexpr ScanOptions kNoisy{
+    .mount = {}, .columns = 2083, .noise_m = 0.01, .seed = 5, .max_range_m = 120.0};
 
 /// What a method can be expected to see in simple worlds. The defaults are what a good one does; who falls
 /// short by its very idea says so in ground_cases().

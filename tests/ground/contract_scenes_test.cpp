@@ -15,8 +15,6 @@ using namespace pago::test;
 
 namespace {
 
-constexpr ScanOptions kNoisy{.mount = {}, .columns = 2083, .noise_m = 0.01, .seed = 5, .max_range_m = 120.0};
-
 std::vector<std::uint8_t> scan_and_segment(const GroundCase& c,
                                            const Scene& scene,
                                            Sweep& sweep,

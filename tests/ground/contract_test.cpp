@@ -18,9 +18,6 @@ static_assert(Stage<ground::Segmenter>);
 
 namespace {
 
-constexpr ScanOptions kNoisyScan{
-    .mount = {}, .columns = 2083, .noise_m = 0.01, .seed = 5, .max_range_m = 120.0};
-
 /// A street with a bit of everything.
 Scene street() {
   Scene scene;
@@ -37,8 +34,8 @@ Scene street() {
 
 TEST_CASE("every return gets kGround or kNonGround and nothing else is written", "[ground][contract]") {
   Sweep sweep(kMaxReturns), before(kMaxReturns);
-  street().scan(sweep, kNoisyScan);
-  street().scan(before, kNoisyScan);
+  street().scan(sweep, kNoisy);
+  street().scan(before, kNoisy);
   constexpr std::uint8_t kUntouched = 0xA5;
   const auto same = [](const auto& a, const auto& b) { return std::equal(a.begin(), a.end(), b.begin()); };
   for (const GroundCase& c : ground_cases()) {
@@ -62,8 +59,8 @@ TEST_CASE("every return gets kGround or kNonGround and nothing else is written",
 TEST_CASE("the same sweep gives the same mask, in any instance and after any other sweep or a reset",
           "[ground][contract]") {
   Sweep sweep(kMaxReturns), other(kMaxReturns);
-  street().scan(sweep, kNoisyScan);
-  Scene().ramp(0.1, 5.0).box({-9, -9, 0}, {-6, 9, 2}).scan(other, kNoisyScan);
+  street().scan(sweep, kNoisy);
+  Scene().ramp(0.1, 5.0).box({-9, -9, 0}, {-6, 9, 2}).scan(other, kNoisy);
   for (const GroundCase& c : ground_cases()) {
     INFO(c.name);
     const auto segmenter = ground::make_segmenter(c.config, Mount{}, sweep.capacity());
@@ -80,7 +77,7 @@ TEST_CASE("the same sweep gives the same mask, in any instance and after any oth
 TEST_CASE("a height set later is as good as one of the mount", "[ground][contract]") {
   Sweep sweep(kMaxReturns);
   const Mount high{.height_m = 2.4};
-  ScanOptions from_high = kNoisyScan;
+  ScanOptions from_high = kNoisy;
   from_high.mount = high;
   street().scan(sweep, from_high);
   for (const GroundCase& c : ground_cases()) {
@@ -95,7 +92,7 @@ TEST_CASE("a height set later is as good as one of the mount", "[ground][contrac
 
 TEST_CASE("a sweep in parts gives the same mask as at once", "[ground][contract]") {
   Sweep sweep(kMaxReturns);
-  street().scan(sweep, kNoisyScan);
+  street().scan(sweep, kNoisy);
   for (const GroundCase& c : ground_cases()) {
     const auto whole = segmented(c.config, sweep);
     const auto segmenter = ground::make_segmenter(c.config, Mount{}, sweep.capacity());
@@ -118,7 +115,7 @@ TEST_CASE("a sweep in parts gives the same mask as at once", "[ground][contract]
 
 TEST_CASE("segmenting touches no heap", "[ground][contract]") {
   Sweep sweep(kMaxReturns);
-  street().scan(sweep, kNoisyScan);
+  street().scan(sweep, kNoisy);
   Mount tilted;
   tilted.pitch_rad = 0.1;
   for (const GroundCase& c : ground_cases()) {
@@ -158,7 +155,7 @@ TEST_CASE("returns that are zero, NaN or infinite are non-ground and do not dist
   std::vector<std::uint8_t> truth;
   for (const GroundCase& c : ground_cases()) {
     INFO(c.name);
-    truth = Scene().level_ground().scan(sweep, kNoisyScan);
+    truth = Scene().level_ground().scan(sweep, kNoisy);
     const std::array<std::array<float, 3>, 6> bad{
         {{0, 0, 0}, {kNan, kNan, kNan}, {10, kNan, -1.7F}, {10, 0, kNan}, {kInf, 0, -1.7F}, {10, 0, -kInf}}};
     for (std::uint32_t i = 0; i < sweep.size; i += 10) {
@@ -179,7 +176,7 @@ TEST_CASE("a sweep without any valid return has no ground", "[ground][contract]"
   for (const GroundCase& c : ground_cases()) {
     for (const float value : {0.0F, std::numeric_limits<float>::quiet_NaN()}) {
       INFO(c.name << ", all " << value);
-      street().scan(sweep, kNoisyScan);
+      street().scan(sweep, kNoisy);
       for (auto* coordinate : {&sweep.x_m, &sweep.y_m, &sweep.z_m})
         std::fill(coordinate->begin(), coordinate->end(), value);
       const auto mask = segmented(c.config, sweep);

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <numbers>
 
+#include "pago/core/units.hpp"
 #include "pago/ground/ground_stage.hpp"
 #include "support/alloc_guard.hpp"
 #include "support/catch.hpp"

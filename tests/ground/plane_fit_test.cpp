@@ -7,6 +7,7 @@
 #include <random>
 
 #include "support/catch.hpp"
+#include "tests/ground/point_lists.hpp"
 
 using namespace pago::ground;
 using Eigen::Vector3d;
@@ -16,23 +17,13 @@ namespace {
 
 const HalfSpace kEverything = HalfSpace::below_height(1e6F);
 
-struct PlaneCloud {
-  std::vector<float> x, y, z;
-  void add(const Vector3d& p) {
-    x.push_back(static_cast<float>(p.x()));
-    y.push_back(static_cast<float>(p.y()));
-    z.push_back(static_cast<float>(p.z()));
-  }
-  Points view() const { return {x, y, z}; }
-};
-
 /// Points in a 4 m wide patch around `centre` of the plane with this normal, `noise_m` off it.
-PlaneCloud patch(const Vector3d& centre, const Vector3d& normal, int n, double noise_m) {
+PointLists patch(const Vector3d& centre, const Vector3d& normal, int n, double noise_m) {
   std::mt19937 random(3);
   std::uniform_real_distribution<double> along(-2.0, 2.0);
   std::normal_distribution<double> off(0.0, noise_m);
   const Vector3d u = normal.unitOrthogonal(), v = normal.cross(u);
-  PlaneCloud cloud;
+  PointLists cloud;
   for (int i = 0; i < n; ++i)
     cloud.add(centre + along(random) * u + along(random) * v + off(random) * normal);
   return cloud;
@@ -42,7 +33,7 @@ PlaneCloud patch(const Vector3d& centre, const Vector3d& normal, int n, double n
 
 TEST_CASE("a plane through noisy points 60 m away is found to a milliradian", "[ground][plane_fit]") {
   const Vector3d normal = Vector3d(0.15, -0.1, 1.0).normalized(), centre(50.0, -33.0, -1.4);
-  const PlaneCloud cloud = patch(centre, normal, 1000, 0.02);
+  const PointLists cloud = patch(centre, normal, 1000, 0.02);
   const PlaneFit fit =
       fit_plane(statistics_inside(cloud.view(), kEverything, Vector3f(51.0F, -31.0F, -1.5F)));
   REQUIRE(fit.is_valid);
@@ -52,7 +43,7 @@ TEST_CASE("a plane through noisy points 60 m away is found to a milliradian", "[
 }
 
 TEST_CASE("statistics agree with double arithmetic about any near origin", "[ground][plane_fit]") {
-  const PlaneCloud cloud = patch({70.0, 20.0, -2.0}, Vector3d(0.3, 0.2, 1.0).normalized(), 3001, 0.05);
+  const PointLists cloud = patch({70.0, 20.0, -2.0}, Vector3d(0.3, 0.2, 1.0).normalized(), 3001, 0.05);
   Vector3d mean = Vector3d::Zero();
   for (std::size_t i = 0; i < cloud.x.size(); ++i)
     mean += Vector3f(cloud.x[i], cloud.y[i], cloud.z[i]).cast<double>();
@@ -73,7 +64,7 @@ TEST_CASE("statistics agree with double arithmetic about any near origin", "[gro
 }
 
 TEST_CASE("only points strictly inside the half-space count", "[ground][plane_fit]") {
-  PlaneCloud cloud;
+  PointLists cloud;
   for (int i = 0; i < 19; ++i) cloud.add({1.0 * i, 0.5 * (i % 3), i < 7 ? -1.0 : 0.0});
   const auto count = [&](const HalfSpace& h) {
     return statistics_inside(cloud.view(), h, Vector3f::Zero()).count;
@@ -87,7 +78,7 @@ TEST_CASE("only points strictly inside the half-space count", "[ground][plane_fi
 
 TEST_CASE("normals never point down, whichever way the plane faces", "[ground][plane_fit]") {
   for (const Vector3d& n : {Vector3d(0, 0, -1), Vector3d(0.9, 0.1, -0.2), Vector3d(-0.2, 0.9, 0.3)}) {
-    const PlaneCloud cloud = patch({5, 5, 0}, n.normalized(), 300, 0.01);
+    const PointLists cloud = patch({5, 5, 0}, n.normalized(), 300, 0.01);
     const PlaneFit fit = fit_plane(statistics_inside(cloud.view(), kEverything, Vector3f(5, 5, 0)));
     REQUIRE(fit.is_valid);
     CHECK(fit.normal.z() >= 0.0);
@@ -96,7 +87,7 @@ TEST_CASE("normals never point down, whichever way the plane faces", "[ground][p
 }
 
 TEST_CASE("points on a line give some plane that holds the line", "[ground][plane_fit]") {
-  PlaneCloud cloud;
+  PointLists cloud;
   const Vector3d along = Vector3d(1.0, 2.0, 0.1).normalized();
   for (int i = 0; i < 50; ++i) cloud.add(0.125 * i * along);
   const PlaneFit fit = fit_plane(statistics_inside(cloud.view(), kEverything, Vector3f(1, 2, 0)));
@@ -107,18 +98,18 @@ TEST_CASE("points on a line give some plane that holds the line", "[ground][plan
 }
 
 TEST_CASE("fewer than three points, or all in one place, are no plane", "[ground][plane_fit]") {
-  PlaneCloud cloud;
+  PointLists cloud;
   CHECK_FALSE(fit_plane(statistics_inside(cloud.view(), kEverything, Vector3f::Zero())).is_valid);
   cloud.add({1, 2, 3});
   cloud.add({4, 5, 6});
   CHECK_FALSE(fit_plane(statistics_inside(cloud.view(), kEverything, Vector3f::Zero())).is_valid);
-  PlaneCloud same;
+  PointLists same;
   for (int i = 0; i < 20; ++i) same.add({1, 2, 3});
   CHECK_FALSE(fit_plane(statistics_inside(same.view(), kEverything, Vector3f(1, 2, 3))).is_valid);
 }
 
 TEST_CASE("absurdly high points give no plane instead of nonsense", "[ground][plane_fit]") {
-  PlaneCloud cloud;
+  PointLists cloud;
   for (int i = 0; i < 20; ++i) cloud.add({1.0 * i, 1.0 * (i % 4), 1e30});
   const HalfSpace everything = HalfSpace::below_height(std::numeric_limits<float>::infinity());
   CHECK_FALSE(fit_plane(statistics_inside(cloud.view(), everything, Vector3f::Zero())).is_valid);

@@ -5,6 +5,7 @@
 #include <bit>
 #include <cmath>
 
+#include "pago/core/units.hpp"
 #include "support/catch.hpp"
 #include "support/packet_builder.hpp"
 

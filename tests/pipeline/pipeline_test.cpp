@@ -15,7 +15,7 @@ using namespace pago;
 
 namespace {
 
-struct Witness final : Observer {
+struct RunCollector final : Observer {
   void on_sweep(const output::SweepRecord& record) override {
     records.push_back(record);
     if (records.size() == throw_at) throw std::runtime_error("disk on fire");
@@ -35,13 +35,13 @@ Config small_config() {
   return config;
 }
 
-RunSummary drive(const Config& config, Witness& collector, std::size_t batch = 64) {
+RunSummary drive(const Config& config, RunCollector& collector, std::size_t batch = 64) {
   test::MemorySource source(test::street_drive(), batch);
   Pipeline pipeline(config);
   return pipeline.run(source, test::ideal_calibration(), collector, collector.stop);
 }
 
-bool same_poses(const Witness& a, const Witness& b) {
+bool same_poses(const RunCollector& a, const RunCollector& b) {
   if (a.records.size() != b.records.size()) return false;
   for (std::size_t i = 0; i < a.records.size(); ++i) {
     if (a.records[i].stamp_ns != b.records[i].stamp_ns ||
@@ -81,7 +81,7 @@ class ScanSource final : public SweepSource {
 
 TEST_CASE("keyframes reach the observer in order, ahead of their records, and only if a map is wanted",
           "[pipeline]") {
-  struct MapWitness final : Observer {
+  struct MapCollector final : Observer {
     void on_sweep(const output::SweepRecord& record) override { newest = record.header.sequence; }
     void on_map_sweep(const output::MapSweep& sweep) override {
       CHECK(sweep.sequence > newest);
@@ -98,7 +98,7 @@ TEST_CASE("keyframes reach the observer in order, ahead of their records, and on
   for (const bool is_wanted : {true, false}) {
     Config config = small_config();
     config.output.map.save = is_wanted;
-    MapWitness collector;
+    MapCollector collector;
     test::MemorySource source(packets, 64);
     Pipeline pipeline(config);
     const RunSummary summary = pipeline.run(source, test::ideal_calibration(), collector, collector.stop);
@@ -109,7 +109,7 @@ TEST_CASE("keyframes reach the observer in order, ahead of their records, and on
 }
 
 TEST_CASE("packets of a drive come out as its trajectory", "[pipeline]") {
-  Witness collector;
+  RunCollector collector;
   const RunSummary summary = drive(small_config(), collector);
   REQUIRE(summary.failure.empty());
   REQUIRE_FALSE(summary.interrupted);
@@ -140,7 +140,7 @@ TEST_CASE("the verdict on the mount is told once, and stands in the summary", "[
   Config config = small_config();
   config.ground.mount_check.sweeps = 2;
   config.mount.height_m = 2.4;
-  Witness collector;
+  RunCollector collector;
   const RunSummary summary = drive(config, collector);
   CHECK(summary.mount.finding == ground::MountFinding::kWrongHeight);
   CHECK(summary.mount.height_m == Approx(1.73).margin(0.05));
@@ -150,7 +150,7 @@ TEST_CASE("the verdict on the mount is told once, and stands in the summary", "[
 }
 
 TEST_CASE("every stage says how long it took on each sweep, in order", "[pipeline]") {
-  Witness collector;
+  RunCollector collector;
   drive(small_config(), collector);
   for (const auto& record : collector.records) {
     std::int64_t before_ns = 0;
@@ -167,7 +167,7 @@ TEST_CASE("every stage says how long it took on each sweep, in order", "[pipelin
 }
 
 TEST_CASE("ring size, batch size and sectors leave the bytes alone", "[pipeline]") {
-  Witness reference;
+  RunCollector reference;
   drive(small_config(), reference);
   struct Case {
     int ring_size;
@@ -178,7 +178,7 @@ TEST_CASE("ring size, batch size and sectors leave the bytes alone", "[pipeline]
     Config config = small_config();
     config.assembly.ring_size = ring_size;
     config.assembly.sectors = sectors;
-    Witness collector;
+    RunCollector collector;
     drive(config, collector, batch);
     INFO("ring " << ring_size << ", batch " << batch << ", sectors " << sectors);
     REQUIRE(same_poses(reference, collector));
@@ -186,7 +186,7 @@ TEST_CASE("ring size, batch size and sectors leave the bytes alone", "[pipeline]
 }
 
 TEST_CASE("asked to stop, the pipeline works off what it has begun and ends", "[pipeline]") {
-  Witness collector;
+  RunCollector collector;
   collector.stop_at = 2;
   const RunSummary summary = drive(small_config(), collector, 8);
   REQUIRE(summary.balanced());
@@ -195,7 +195,7 @@ TEST_CASE("asked to stop, the pipeline works off what it has begun and ends", "[
 }
 
 TEST_CASE("an observer that throws ends the run and its exception comes out", "[pipeline]") {
-  Witness collector;
+  RunCollector collector;
   collector.throw_at = 1;
   REQUIRE_THROWS_WITH(drive(small_config(), collector), "disk on fire");
   REQUIRE(collector.records.size() == 1);
@@ -203,7 +203,7 @@ TEST_CASE("an observer that throws ends the run and its exception comes out", "[
 
 TEST_CASE("scans of a folder get a pose each", "[pipeline]") {
   ScanSource source(7);
-  Witness collector;
+  RunCollector collector;
   Pipeline pipeline(small_config());
   const RunSummary summary = pipeline.run(source, collector, collector.stop);
   REQUIRE(summary.failure.empty());
@@ -214,7 +214,7 @@ TEST_CASE("scans of a folder get a pose each", "[pipeline]") {
 
 TEST_CASE("a last scan cut short is counted as partial, not as lost", "[pipeline]") {
   ScanSource source(5, {}, 4);
-  Witness collector;
+  RunCollector collector;
   Pipeline pipeline(small_config());
   const RunSummary summary = pipeline.run(source, collector, collector.stop);
   REQUIRE(summary.balanced());
@@ -224,7 +224,7 @@ TEST_CASE("a last scan cut short is counted as partial, not as lost", "[pipeline
 
 TEST_CASE("a pipeline runs once", "[pipeline]") {
   ScanSource source(1);
-  Witness collector;
+  RunCollector collector;
   Pipeline pipeline(small_config());
   pipeline.run(source, collector, collector.stop);
   REQUIRE_THROWS_AS(pipeline.run(source, collector, collector.stop), Error);
@@ -232,7 +232,7 @@ TEST_CASE("a pipeline runs once", "[pipeline]") {
 
 TEST_CASE("a source that breaks off fails the run after what it gave", "[pipeline]") {
   ScanSource source(2, "scan 2 is damaged");
-  Witness collector;
+  RunCollector collector;
   Pipeline pipeline(small_config());
   const RunSummary summary = pipeline.run(source, collector, collector.stop);
   REQUIRE(summary.failure == "scan 2 is damaged");
@@ -249,7 +249,7 @@ TEST_CASE("a stream of another sensor is refused by name and yields nothing", "[
     packets.push_back(builder.bytes());
   }
   test::MemorySource source(packets);
-  Witness collector;
+  RunCollector collector;
   Pipeline pipeline(small_config());
   const RunSummary summary = pipeline.run(source, test::ideal_calibration(), collector, collector.stop);
   REQUIRE(summary.failure.find("VLP-16") != std::string::npos);

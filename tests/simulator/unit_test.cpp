@@ -4,16 +4,14 @@
 
 #include <cmath>
 #include <fstream>
-#include <numbers>
 #include <set>
 
+#include "pago/core/units.hpp"
 #include "support/catch.hpp"
 #include "support/temporary_path.hpp"
 
 using namespace pago;
 using namespace pago::simulator;
-
-namespace {}  // namespace
 
 TEST_CASE("PaGO reads a unit's written calibration as it is", "[simulator][unit]") {
   const hdl64::Calibration unit = made_up_unit();
