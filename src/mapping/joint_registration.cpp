@@ -77,8 +77,11 @@ JointResult JointRegistration::align(CellMap& map,
     result.information = sum.H;
     result.rms_m = sum.rms_m();
     // Judged where the search begins: afterwards it could have slipped along what is weak.
-    if (result.iterations == 1 && limits.keeps_weak)
+    if (result.iterations == 1 && limits.keeps_weak) {
       result.weak = registration::find_weak_directions(sum.H, rows_.view(), config_.min_contribution);
+      result.doubted =
+          registration::find_weak_directions(sum.H, rows_.view(), config_.trust.min_contribution);
+    }
     if (rows_.size() < kLeastMatches) break;
 
     const Vector6d off = difference(guess.T_last_this, result.T_last_this);

@@ -179,7 +179,7 @@ void MappingStage::track(const ScanMotion& motion, Sweep& sweep) noexcept {
     const JointResult found = relocalise(guess);
     if (trust_.is_usual(found.score) && static_cast<int>(found.matches) >= config_.trust.min_matches) {
       result = found;
-      reason = found.weak.count > 0 ? HealthReason::kNotObservable : HealthReason::kNone;
+      reason = found.doubted.count > 0 ? HealthReason::kNotObservable : HealthReason::kNone;
     }
   }
   is_elsewhere_ = !is_measured(reason) && (is_elsewhere_ || is_unknown(motion));
@@ -293,7 +293,7 @@ void MappingStage::state(const ScanMotion& motion,
                          Estimate& estimate) const noexcept {
   estimate.iterations = static_cast<std::uint16_t>(result.iterations);
   estimate.is_cut_short = result.is_cut;
-  estimate.weak_directions = result.weak.axes;
+  estimate.weak_directions = result.doubted.axes;
   estimate.map_points = result.offered;
   estimate.map_matches = result.matches;
   estimate.map_rms_m = static_cast<float>(result.rms_m);
@@ -302,7 +302,7 @@ void MappingStage::state(const ScanMotion& motion,
   const bool has_opinion = !guess.information.isZero();
   Matrix6d information =
       has_opinion ? guess.information : registration::predicted_information(motion.period_s, unconfirmed_);
-  if (is_measured(reason)) information += result.weak.without(result.information);
+  if (is_measured(reason)) information += result.doubted.without(result.information);
   estimate.covariance = inverse_of(information);
 
   if (reason == HealthReason::kNone && is_unknown(motion)) reason = HealthReason::kTimeGap;

@@ -29,12 +29,14 @@ HealthReason Trust::judge(const JointResult& result,
   const double acceleration_m_s2 = (twist - last_twist).head<3>().norm() / period_s;
   // A place that has gone astray under an unknown acceleration does so with the square of the time.
   if (acceleration_m_s2 > leeway * leeway * c.max_acceleration_m_s2) return HealthReason::kImplausibleMotion;
-  return result.weak.count > 0 ? HealthReason::kNotObservable : HealthReason::kNone;
+  return result.doubted.count > 0 || doubts_ > 0 ? HealthReason::kNotObservable : HealthReason::kNone;
 }
 
 void Trust::accept(const JointResult& result) noexcept {
   scores_[num_scores_++ % kMemory] = static_cast<float>(result.score);
   failures_ = 0;
+  constexpr int kSweeps = 5;
+  doubts_ = result.doubted.count > 0 ? kSweeps : std::max(0, doubts_ - 1);
 }
 
 double Trust::usual_score() const noexcept {

@@ -2,7 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "pago/registration/rows.hpp"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
+#include <numeric>
 
 #include "pago/core/symmetric6.hpp"
 
@@ -19,12 +22,13 @@ Vector6d to_metres() noexcept {
 double contribution_of(std::span<const Row> rows, const Vector6d& direction) noexcept {
   constexpr float kClear = 0.25F;
   const Eigen::Matrix<float, 6, 1> scaled = to_metres().cwiseProduct(direction).cast<float>();
-  double sum = 0.0;
+  std::array<float, 256> of_block{};
   for (const Row& row : rows) {
     const float cosine = row.J.dot(scaled);
-    if (std::abs(cosine) >= kClear) sum += static_cast<double>(row.kernel_weight * cosine * cosine);
+    if (std::abs(cosine) >= kClear) of_block[row.block] += row.kernel_weight * cosine * cosine;
   }
-  return sum;
+  return std::accumulate(of_block.begin(), of_block.end(), 0.0,
+                         [](double sum, float block) { return sum + std::min(1.0, double{block}); });
 }
 
 }  // namespace

@@ -43,12 +43,24 @@ TEST_CASE("what makes a registration unbelievable is named", "[mapping][trust]")
   JointResult few = good(), far = good(2.5), sudden = good(1.2), not_finite = good(), weak = good();
   few.matches = 99;
   not_finite.T_last_this.translation().x() = std::numeric_limits<double>::quiet_NaN();
-  weak.weak.count = 1;
+  weak.doubted.count = 1;
   CHECK(judge(trust, few) == HealthReason::kTooFewFeatures);
   CHECK(judge(trust, far) == HealthReason::kImplausibleMotion);
   CHECK(judge(trust, sudden, 1.0) == HealthReason::kImplausibleMotion);  // 20 m/s^2
   CHECK(judge(trust, not_finite) == HealthReason::kNotFinite);
   CHECK(judge(trust, weak) == HealthReason::kNotObservable);
+}
+
+TEST_CASE("what was not observable is trusted again after half a second of being so", "[mapping][trust]") {
+  Trust trust{MappingConfig{}};
+  JointResult doubted = good();
+  doubted.doubted.count = 1;
+  trust.accept(doubted);
+  for (int i = 0; i < 5; ++i) {
+    REQUIRE(judge(trust, good()) == HealthReason::kNotObservable);
+    trust.accept(good());
+  }
+  REQUIRE(judge(trust, good()) == HealthReason::kNone);
 }
 
 TEST_CASE("a poor fit is poor by what was usual before", "[mapping][trust]") {

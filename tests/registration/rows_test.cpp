@@ -85,6 +85,28 @@ TEST_CASE("floor and side walls leave the way ahead open, floor alone x, y and y
   CHECK(field.axes == 0b100011);
 }
 
+TEST_CASE("a lone car ahead does not make the way ahead observable, four walls across it do",
+          "[registration][weak]") {
+  Draws draws;
+  const auto tunnel_with = [&](int walls) {
+    FixedVector<Row> rows(1000);
+    for (int i = 0; i < 400; ++i) {
+      const Eigen::Vector3f normal = i % 2 == 0 ? Eigen::Vector3f::UnitY() : Eigen::Vector3f::UnitZ();
+      rows.push_back(plane_row(draws.vector(20.0).cast<float>(), normal, 0.0F, 1.0F));
+    }
+    for (int i = 0; i < 40; ++i) {
+      const Eigen::Vector3f at(30.0F - 8.0F * static_cast<float>(i % walls), 0.01F * static_cast<float>(i),
+                               0.0F);
+      rows.push_back(plane_row(at, Eigen::Vector3f::UnitX(), 0.0F, 1.0F));
+    }
+    NormalEquations sum;
+    sum.add(rows.view());
+    return find_weak_directions(sum.H, rows.view(), 3.5);
+  };
+  CHECK(tunnel_with(1).axes == 0b000001);
+  CHECK(tunnel_with(4).count == 0);
+}
+
 TEST_CASE("noise in the normals does not count as evidence, and is taken out", "[registration][weak]") {
   Draws draws;
   FixedVector<Row> rows(3000);

@@ -58,6 +58,7 @@ void describe(Visitor& v, StartConfig& c) {
 /// [mapping.trust] When a registration is not believed.
 struct TrustConfig {
   int min_matches = 100;
+  double min_contribution = 5.0;
   double min_score_ratio = 0.5;
   double max_correction_m = 2.0;
   double max_correction_deg = 5.0;
@@ -70,6 +71,10 @@ struct TrustConfig {
 template <typename Visitor>
 void describe(Visitor& v, TrustConfig& c) {
   v("min_matches", c.min_matches, within(6, 10000), "fewer matches: prediction instead");
+  v("min_contribution", c.min_contribution, within(0.0, 1000.0),
+    "a direction of motion for which fewer matches in different places (blocks of 4 m) speak, by squared "
+    "cosine: the pose "
+    "is used, but called not observable");
   v("min_score_ratio", c.min_score_ratio, within(0.0, 1.0),
     "a sweep that fits the map by less than this part of what was usual lately: prediction instead");
   v("max_correction_m", c.max_correction_m, within(0.01, 100.0),
@@ -201,7 +206,8 @@ void describe(Visitor& v, MappingConfig& c) {
     "translation");
   v("twist_sigma_rad_s", c.twist_sigma_rad_s, within(1e-6, 10.0), "and of its rotation");
   v("min_contribution", c.min_contribution, within(0.0, 1000.0),
-    "a direction of motion for which fewer matches speak, by squared cosine, counts as not observable");
+    "a direction of motion for which fewer matches in different places speak, by squared cosine, is kept as "
+    "predicted");
 }
 
 }  // namespace pago

@@ -149,7 +149,8 @@ void describe(Visitor& v, OdometryConfig& c) {
     "the same for an edge and its line: where an edge is seen depends on where firings fall, in each sweep "
     "anew");
   v("min_contribution", c.min_contribution, within(0.0, 1000.0),
-    "a direction of motion for which fewer matches speak, by squared cosine, counts as not observable");
+    "a direction of motion for which fewer matches in different places speak, by squared cosine, is kept as "
+    "predicted");
   v("lost_after", c.lost_after, within(1, 1000), "predicted sweeps in a row until the state is LOST");
 }
 

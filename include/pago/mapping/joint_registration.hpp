@@ -45,7 +45,8 @@ struct JointResult {
   Vector6d twist = Vector6d::Zero();  ///< per second, at the reference instant: what points were de-skewed by
   /// Of the matches alone; as MotionGuess::information.
   Matrix6d information = Matrix6d::Zero();
-  registration::WeakDirections weak;
+  registration::WeakDirections weak;     ///< no step was taken along these
+  registration::WeakDirections doubted;  ///< these, and those that too few places speak for to be trusted
   int iterations = 0;
   bool is_cut = false;  ///< the budget was spent before the search came to rest
   std::uint32_t offered = 0, matches = 0;

@@ -16,8 +16,9 @@ class Trust {
  public:
   explicit Trust(const MappingConfig& config) : config_(config) {}
 
-  /// Why not to believe it; kNone or kNotObservable: it can be used. `T_last_predicted` is where the motion
-  /// model expects the sweep; `last_twist` the velocity before.
+  /// Why not to believe it; kNone or kNotObservable: it can be used. What was not observable must be so for a
+  /// few sweeps before it is believed again: doors of a tunnel come one at a time. `T_last_predicted` is
+  /// where the motion model expects the sweep; `last_twist` the velocity before.
   HealthReason judge(const JointResult& result,
                      const Eigen::Isometry3d& T_last_predicted,
                      const Vector6d& last_twist,
@@ -26,7 +27,7 @@ class Trust {
   void accept(const JointResult& result) noexcept;
   void reject() noexcept { ++failures_; }
   /// What was usual is forgotten, too.
-  void restart() noexcept { failures_ = 0, num_scores_ = 0; }
+  void restart() noexcept { failures_ = 0, num_scores_ = 0, doubts_ = 0; }
 
   int failures() const noexcept { return failures_; }  ///< in a row
   JointLimits limits() const noexcept;
@@ -44,6 +45,7 @@ class Trust {
   std::array<float, kMemory> scores_{};
   std::size_t num_scores_ = 0;
   int failures_ = 0;
+  int doubts_ = 0;  // sweeps without a doubted direction that are still to come
 };
 
 }  // namespace pago::mapping

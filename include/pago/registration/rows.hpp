@@ -3,6 +3,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <cmath>
 #include <cstdint>
 #include <span>
 
@@ -17,8 +18,18 @@ struct Row {
   float residual_m = 0.0F;
   float variance_m2 = 1.0F;    ///< of the residual, were it an inlier
   float kernel_weight = 1.0F;  ///< in [0, 1]: how much of an inlier it is
+  std::uint8_t block = 0;      ///< where it is, in blocks of 4 m that repeat after 64 m
 };
 using Rows = FixedVector<Row>;
+
+/// The block of a point in the sensor's frame.
+inline std::uint8_t block_of(const Eigen::Vector3f& p) noexcept {
+  constexpr float kPerBlock_m = 0.25F;
+  const auto index = [](float m) {
+    return static_cast<unsigned>(static_cast<int>(std::floor(kPerBlock_m * m))) % 16U;
+  };
+  return static_cast<std::uint8_t>(index(p.x()) * 16U + index(p.y()));
+}
 
 /// The row of a point `p` (sensor frame) that should lie on a plane with unit normal `n` (sensor frame):
 /// d/dd n . T exp(d) p = (n, p x n).
@@ -29,6 +40,7 @@ inline Row plane_row(const Eigen::Vector3f& p,
   Row row;
   row.J << n, p.cross(n);
   row.residual_m = residual_m, row.variance_m2 = variance_m2;
+  row.block = block_of(p);
   return row;
 }
 
@@ -59,7 +71,9 @@ struct WeakDirections {
 /// Looks at each principal direction of the information: how many inliers' worth of rows speak for it
 /// clearly? A row counts with the square of its cosine to the direction, and not at all when that is below a
 /// quarter: noise in the normals gives every direction some information, as the walls of a smooth tunnel do
-/// along it. (After X-ICP: Tuna et al. 2022; rotations are made comparable by a lever arm of 10 m.)
+/// along it. And what stands within 4 m counts as one inlier at most: a lone car ahead that drives as fast as
+/// this vehicle would make it stand. (After X-ICP: Tuna et al. 2022; rotations are made comparable by a lever
+/// arm of 10 m.)
 WeakDirections find_weak_directions(const Matrix6d& information,
                                     std::span<const Row> rows,
                                     double min_contribution) noexcept;
