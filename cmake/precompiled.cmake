@@ -1,5 +1,5 @@
 # The headers that most files include, compiled once instead of with each of them. A file must still include all that it
-# uses: the preset `thread` builds without this, and finds what was forgotten.
+# uses: the preset `fuzz` builds without this, and finds what was forgotten.
 option(PAGO_PRECOMPILE "compile common headers once" ON)
 
 set(PAGO_COMMON_HEADERS
