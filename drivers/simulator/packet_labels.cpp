@@ -46,6 +46,13 @@ struct FileHeader {
   std::uint32_t firing_period_ns = 0, firings = 0, num_kinds = 0;
 };
 
+bool is_timing(std::int64_t period_ns, std::uint32_t firings) noexcept {
+  return std::ranges::any_of(
+      std::array{kSingleReturn, kSingleReturnS3, kDualReturn}, [&](const FiringTiming& known) {
+        return known.period_ns == period_ns && known.firings == static_cast<int>(firings);
+      });
+}
+
 template <typename T>
 std::string_view bytes_of(const T& value) {
   return {reinterpret_cast<const char*>(&value), sizeof value};
@@ -64,7 +71,7 @@ LabelTrack::LabelTrack(const std::filesystem::path& file) {
   std::array<std::uint16_t, kKinds.size()> classes{};
   in.read(reinterpret_cast<char*>(classes.data()), sizeof classes);
   const bool is_ours = in && std::ranges::equal(header.magic, kMagic) && header.num_kinds == kKinds.size() &&
-                       (header.firings == 6 || header.firings == 3) &&
+                       is_timing(header.firing_period_ns, header.firings) &&
                        std::ranges::equal(classes, kKinds, {}, {},
                                           [](Label label) { return static_cast<std::uint16_t>(label); });
   if (!is_ours)
@@ -123,7 +130,7 @@ std::uint32_t LabelTrack::label(Sweep& sweep, const hdl64::Calibration& unit) co
   for (int laser = 0; laser < kNumRings; ++laser)
     laser_of_ring[unit.ring_of_laser[static_cast<std::size_t>(laser)]] = laser;
   const std::int64_t shift_ns = kStampStep_ns + hours_off_ns(sweep.header.start_ns);
-  const FiringTiming timing = firings_ == kDualReturn.firings ? kDualReturn : kSingleReturn;
+  const FiringTiming timing{firing_period_ns_, firings_};
   std::uint32_t known = 0;
   const PacketLabels* packet = nullptr;
   for (std::uint32_t i = 0; i < sweep.size; ++i) {

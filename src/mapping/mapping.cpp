@@ -86,6 +86,7 @@ void MappingStage::reset() noexcept {
   refined_.twist.setZero();
   forget_changes();
   is_placed_ = is_elsewhere_ = false;
+  unmeasured_s_ = 0.0;
   predicted_in_a_row_ = unconfirmed_ = inserted_standing_ = 0;
 }
 
@@ -108,7 +109,7 @@ void MappingStage::start(Sweep& sweep) noexcept {
   start_.begin({dense_, map_points_, key_points_}, motion.is_compensated);
   T_map_start_ = T_map_reference_;
   phase_ = Phase::kSearching;
-  since_searched_s_ = 0.0;
+  since_searched_s_ = unmeasured_s_ = 0.0;
   refined_.twist.setZero();
   forget_changes();
   estimate.health = refined_.is_placed ? Health::kLost : Health::kInit;
@@ -202,7 +203,10 @@ MotionGuess MappingStage::guess_of(const ScanMotion& motion) const noexcept {
   guess.T_last_this = exp_se3(refined_.twist * std::min(motion.period_s, registration::kLongestPrediction_s));
   guess.is_carried = true;
   if (motion.period_s > kGap_s || motion.is_time_lost) return guess;
-  guess.acceleration = acceleration_;
+  if (unmeasured_s_ > 0.0)
+    guess.twist = refined_.twist;
+  else
+    guess.acceleration = acceleration_;
   guess.information = registration::predicted_information(motion.period_s, unconfirmed_);
   const bool is_credible = !config_.refine || registration::may_follow(motion.T_last_this, refined_.twist,
                                                                        motion.period_s, unconfirmed_);
@@ -228,14 +232,20 @@ void MappingStage::adopt(const ScanMotion& motion,
   } else {
     standstill_.reset();
   }
-  const bool is_told = usable || !guess.is_carried;
-  if (usable && !motion.is_compensated)
+  const bool is_told = usable || !guess.is_carried, was_guessed = unmeasured_s_ > 0.0;
+  if (!usable && !was_guessed) T_map_measured_ = T_map_reference_;
+  unmeasured_s_ += motion.period_s;
+  if (usable && was_guessed) {  // the way from a guess would be no velocity
+    T_map_reference_ = T_map_measured_;
+    move_to(T_map_this, unmeasured_s_);
+  } else if (usable && !motion.is_compensated)
     move_to(T_map_this, motion.period_s, result.twist);
   else if (is_told)
     move_to(T_map_this, motion.period_s);
   else
     T_map_reference_ = orthonormalized(T_map_this), forget_changes();
   if (usable) {
+    unmeasured_s_ = 0.0;
     trust_.accept(result);
   } else {
     trust_.reject();
@@ -277,6 +287,7 @@ void MappingStage::restart(bool is_told, Estimate& estimate) noexcept {
   trust_.restart();
   standstill_.reset();
   is_elsewhere_ = false;
+  unmeasured_s_ = 0.0;
   estimate.health = Health::kLost;
   estimate.reason = HealthReason::kMapRestarted;
   is_inserted_ = is_told;

@@ -37,6 +37,51 @@ TEST_CASE("a drive that starts in motion is followed within centimetres", "[mapp
   }
 }
 
+namespace {
+
+/// What a sensor on a roof, 1.7 m above and 1.3 m ahead of the axle, does as a vehicle pitches.
+Vector6d pitching(double speed_m_s, double rate_rad_s) {
+  Vector6d twist = forward(speed_m_s);
+  twist[0] += 1.7 * rate_rad_s, twist[2] -= 1.3 * rate_rad_s, twist[4] = rate_rad_s;
+  return twist;
+}
+
+/// The worst error over a speed bump and ten sweeps after; `health` is the worst on the way.
+double error_over_a_bump_m(StreetDrive& drive, Health& health) {
+  drive.next(forward(8.0));
+  const Eigen::Isometry3d T_world_first = drive.T_world_start;
+  for (int i = 0; i < kFound; ++i) drive.next(forward(8.0));
+  health = Health::kOk;
+  for (const double rate_rad_s : {-0.3, -0.5, 0.45, 0.45, -0.1, -0.5, -0.1, 0.5, 0.1}) {
+    const Estimate& estimate = drive.next(pitching(8.0, rate_rad_s));
+    if (estimate.health != Health::kOk) health = estimate.health;
+  }
+  double worst_m = 0.0;
+  for (int i = 0; i < 10; ++i) {
+    drive.next(forward(8.0));
+    if (i >= 5) worst_m = std::max(worst_m, error_of(drive, T_world_first).head<3>().norm());
+  }
+  return worst_m;
+}
+
+}  // namespace
+
+TEST_CASE("a speed bump is no implausible motion", "[mapping][stage]") {
+  StreetDrive drive;
+  Health health = Health::kLost;
+  CHECK(error_over_a_bump_m(drive, health) < 0.05);
+  CHECK(health == Health::kOk);
+}
+
+TEST_CASE("a sweep that was not believed spoils no velocity after it", "[mapping][stage]") {
+  MappingConfig config;
+  config.trust.max_acceleration_m_s2 = 12.0;
+  StreetDrive drive({}, config);
+  Health health = Health::kOk;
+  CHECK(error_over_a_bump_m(drive, health) < 0.1);
+  CHECK(health == Health::kDegraded);
+}
+
 TEST_CASE("standing still the refined pose does not creep", "[mapping][stage]") {
   StreetDrive drive;
   for (int i = 0; i < 8; ++i) drive.next(Vector6d::Zero());

@@ -40,13 +40,13 @@ TEST_CASE("a registration near the prediction with enough matches is believed", 
 
 TEST_CASE("what makes a registration unbelievable is named", "[mapping][trust]") {
   const Trust trust{MappingConfig{}};
-  JointResult few = good(), far = good(2.5), sudden = good(1.2), not_finite = good(), weak = good();
+  JointResult few = good(), far = good(2.5), sudden = good(1.5), not_finite = good(), weak = good();
   few.matches = 99;
   not_finite.T_last_this.translation().x() = std::numeric_limits<double>::quiet_NaN();
   weak.doubted.count = 1;
   CHECK(judge(trust, few) == HealthReason::kTooFewFeatures);
   CHECK(judge(trust, far) == HealthReason::kImplausibleMotion);
-  CHECK(judge(trust, sudden, 1.0) == HealthReason::kImplausibleMotion);  // 20 m/s^2
+  CHECK(judge(trust, sudden, 1.0) == HealthReason::kImplausibleMotion);  // 50 m/s^2
   CHECK(judge(trust, not_finite) == HealthReason::kNotFinite);
   CHECK(judge(trust, weak) == HealthReason::kNotObservable);
 }

@@ -87,6 +87,25 @@ TEST_CASE("a dual-return packet's second returns find their own classes", "[simu
   for (std::uint32_t i = 0; i < sweep.size; ++i) REQUIRE(sweep.label[i] == packet(0).labels[i]);
 }
 
+TEST_CASE("an S3's firings are farther apart, and its returns find their classes, too",
+          "[simulator][labels]") {
+  constexpr std::int64_t kPeriod_ns = 57'600;
+  const hdl64::Calibration unit = made_up_unit();
+  LabelTrack track(20, kPeriod_ns, 6);
+  track.add(packet(0));
+  Sweep sweep(64 * 6);
+  sweep.header.start_ns = kFirstPacket_ns;
+  for (int firing = 0; firing < 6; ++firing) {
+    for (int laser = 0; laser < 64; ++laser) {
+      sweep.ring[sweep.size] = unit.ring_of_laser[static_cast<std::size_t>(laser)];
+      sweep.time_offset_ns[sweep.size++] =
+          static_cast<std::int32_t>(firing * kPeriod_ns) + hdl64::laser_time_ns(laser, kPeriod_ns);
+    }
+  }
+  REQUIRE(track.label(sweep, unit) == sweep.size);
+  for (std::uint32_t i = 0; i < sweep.size; ++i) REQUIRE(sweep.label[i] == packet(0).labels[i]);
+}
+
 TEST_CASE("a replay hours later finds them too", "[simulator][labels]") {
   const hdl64::Calibration unit = made_up_unit();
   LabelTrack track(20, 48'000, 6);
@@ -145,6 +164,12 @@ TEST_CASE("other and damaged files are refused", "[simulator][labels]") {
   std::ofstream(file.path())
       << "no labels at all, but long enough to be read as a header of a file with some";
   REQUIRE_THROWS_WITH(LabelTrack(file.path()), Catch::Contains("no file of packet labels"));
+  for (const auto& [period_ns, firings] : {std::pair{1, 6}, std::pair{48'000, 3}, std::pair{57'600, 12}}) {
+    LabelWriter writer(file.path(), period_ns, firings);
+    writer.write(packet(0));
+    writer.flush();
+    REQUIRE_THROWS_WITH(LabelTrack(file.path()), Catch::Contains("no file of packet labels"));
+  }
   {
     LabelWriter writer(file.path(), 48'000, 6);
     writer.write(packet(0));

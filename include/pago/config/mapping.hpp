@@ -62,7 +62,7 @@ struct TrustConfig {
   double min_score_ratio = 0.5;
   double max_correction_m = 2.0;
   double max_correction_deg = 5.0;
-  double max_acceleration_m_s2 = 15.0;
+  double max_acceleration_m_s2 = 40.0;
   int relocalise_after = 5;
   int restart_after = 20;
   int lost_after = 5;
@@ -80,7 +80,8 @@ void describe(Visitor& v, TrustConfig& c) {
   v("max_correction_m", c.max_correction_m, within(0.01, 100.0),
     "a pose farther from the predicted one is implausible; more after failures");
   v("max_correction_deg", c.max_correction_deg, within(0.1, 180.0), "the same for rotation");
-  v("max_acceleration_m_s2", c.max_acceleration_m_s2, within(1.0, 1000.0), "and for the change of velocity");
+  v("max_acceleration_m_s2", c.max_acceleration_m_s2, within(1.0, 1000.0),
+    "and for the change of velocity; on a speed bump a roof sees 20 m/s^2");
   v("relocalise_after", c.relocalise_after, within(1, 1000),
     "failures in a row after which the pose is sought in the whole neighbourhood");
   v("restart_after", c.restart_after, within(2, 10000),

@@ -81,6 +81,8 @@ class MappingStage {
   Eigen::Isometry3d T_odom_map_ = Eigen::Isometry3d::Identity();
   Eigen::Isometry3d T_map_start_ = Eigen::Isometry3d::Identity();
   Eigen::Isometry3d T_map_reference_ = Eigen::Isometry3d::Identity();
+  Eigen::Isometry3d T_map_measured_ = Eigen::Isometry3d::Identity();  // the last that was no guess,
+  double unmeasured_s_ = 0.0;                                         // and since when there was none
   double since_searched_s_ = 0.0;  // since the last sweep that took part in the search
   bool is_placed_ = false;
   int predicted_in_a_row_ = 0;  // neither the map nor the last sweep told the motion
