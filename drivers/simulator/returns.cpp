@@ -20,7 +20,8 @@ double brightness(const Echo& echo, const ReturnModel& model) noexcept {
   // What mirrors, returns light only when hit square on.
   const double square_on = echo.cos_incidence * echo.cos_incidence * echo.cos_incidence * echo.cos_incidence;
   double part = 1.0 - material.shine * (1.0 - square_on);
-  if (echo.surface.material == Material::kAsphalt) part *= 1.0 - 0.85 * model.wetness;
+  if (echo.surface.material == Material::kAsphalt)
+    part *= 1.0 - 0.99 * model.wetness;  // what is left mirrors away
   return reflectivity(echo.surface) * part * echo.share;
 }
 

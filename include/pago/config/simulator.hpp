@@ -115,7 +115,8 @@ void describe(Visitor& v, SimulatorConfig& c) {
     "the same for each laser's vertical and horizontal angle");
   v("outliers", c.outliers, within(0.0, 0.2), "part of the beams that rain drops send back");
   v("wetness", c.wetness, within(0.0, 1.0),
-    "of the road: 0 dry, 1 as after rain, when half of its returns are lost");
+    "of asphalt: 0 dry, 1 so wet that half of its returns are lost at 11 m (dry: 50 m), and nearly all from "
+    "25 m on");
   v("traffic", c.traffic, within(0.0, 4.0),
     "moving cars and pedestrians, against what the world usually has");
   v.section("faults", c.faults, "what goes wrong with packets and sensor");
