@@ -134,7 +134,7 @@ std::optional<MixUp> find_changed(const Trajectory& truth,
 }
 
 std::optional<MixUp> find_scale(const std::vector<MotionPair>& pairs) {
-  constexpr double kMost = 1.2;
+  constexpr double kMost = 1.2, kMostSpread = 0.1;
   std::vector<double> ratios;
   const double step_m = typical_step_m(pairs);
   for (const auto& [truth, estimate] : pairs)
@@ -142,9 +142,28 @@ std::optional<MixUp> find_scale(const std::vector<MotionPair>& pairs) {
       ratios.push_back(estimate.translation_m.norm() / truth.translation_m.norm());
   const double ratio = statistics_of(ratios).median;
   if (!(ratio > kMost || ratio < 1.0 / kMost)) return std::nullopt;
+  // A unit changes all motions alike; an odometry that is lost does not.
+  for (double& r : ratios) r = std::abs(r / ratio - 1.0);
+  if (statistics_of(ratios).median > kMostSpread) return std::nullopt;
   return MixUp{MixUpKind::kScale, "The estimate seems to be in another unit of length than the truth",
                format("its motions are typically %.4g times as long", ratio), "Both files must be in metres.",
                ratio};
+}
+
+/// Both files in the camera's axes agree with each other, but what is said of z, roll and yaw is of other
+/// axes.
+std::optional<MixUp> find_camera_axes(const std::vector<MotionPair>& pairs) {
+  constexpr double kMostly = 0.9;
+  Eigen::Vector3d truth = Eigen::Vector3d::Zero(), estimate = Eigen::Vector3d::Zero();
+  for (const MotionPair& pair : pairs)
+    truth += pair.truth.translation_m, estimate += pair.estimate.translation_m;
+  const double truth_share = truth.z() / truth.norm(), estimate_share = estimate.z() / estimate.norm();
+  if (!(truth_share > kMostly && estimate_share > kMostly)) return std::nullopt;
+  return MixUp{MixUpKind::kCameraFrame,
+               "Both files seem to hold poses of KITTI's camera, which looks along z",
+               format("%.0f %% of the way is along z, so that figures of single axes are of the camera's",
+                      100.0 * truth_share),
+               "For those of the sensor: --truth-frame camera --estimate-frame camera.", 90.0};
 }
 
 double row_interval_s(const MatchedTrajectories& matched) {
@@ -176,6 +195,8 @@ std::vector<MixUp> find_mix_ups(const Trajectory& truth,
   found = find_body_mix_ups(pairs);
   if (found.empty())
     if (auto shift = find_time_shift(matched, row_interval_s(matched))) found.push_back(*shift);
+  if (found.empty())
+    if (auto axes = find_camera_axes(pairs)) found.push_back(*axes);
   return found;
 }
 

@@ -90,6 +90,11 @@ std::optional<MixUp> find_time_shift(const MatchedTrajectories& matched, double 
   const double rows =
       (static_cast<double>(best) + refined(gains, best)) / kStepsPerRow - static_cast<double>(kMostRows);
   if (net(best) < kSmallestTimeGain || std::abs(rows) < kSmallestShiftRows) return std::nullopt;
+  if (best == 0 || best + 1 == gains.size())
+    return MixUp{MixUpKind::kTimeShift, "The estimate seems to hold for another time than the truth",
+                 format("its motions fit the better the %s in the truth, as far as was looked: %d rows",
+                        rows > 0.0 ? "later" : "earlier", kMostRows),
+                 "Choose rows or stamps that belong together.", rows};
   return MixUp{MixUpKind::kTimeShift, "The estimate seems to hold for another time than the truth",
                format("its motions fit best %.2f rows (%.0f ms) %s in the truth, with %.0f %% less error; ",
                       std::abs(rows), 1e3 * std::abs(rows) * row_interval_s, rows > 0.0 ? "later" : "earlier",

@@ -92,6 +92,28 @@ TEST_CASE("another instant of the sweep is named with its size", "[evaluation][m
   CHECK_THAT(only(find(later(truth(), 3.0), estimate)).evidence, Contains("off by 3"));
 }
 
+TEST_CASE("a time farther off than was looked is said to be so", "[evaluation][mix_ups]") {
+  const MixUp far = only(find(later(truth(), 9.0), odometry_of(truth())));
+  CHECK(far.kind == MixUpKind::kTimeShift);
+  CHECK_THAT(far.sentence(), Contains("as far as was looked: 5 rows"));
+}
+
+TEST_CASE("an odometry that is lost is not in another unit", "[evaluation][mix_ups]") {
+  std::mt19937 random(5);
+  Trajectory standing = truth();
+  for (StampedPose& pose : standing.poses)
+    pose.T_world_sensor = truth().poses.front().T_world_sensor * random_motion(random, 0.05, 0.001);
+  for (const MixUp& mix_up : find(truth(), standing)) CHECK(mix_up.kind != MixUpKind::kScale);
+}
+
+TEST_CASE("two files in the camera's axes are named, too", "[evaluation][mix_ups]") {
+  const Eigen::Isometry3d C = T_camera_sensor_axes();
+  const auto to_camera = [&](const Eigen::Isometry3d& T) { return C * T * C.inverse(); };
+  const MixUp both = only(find(changed(truth(), to_camera), changed(odometry_of(truth()), to_camera)));
+  CHECK(both.kind == MixUpKind::kCameraFrame);
+  CHECK_THAT(both.sentence(), Contains("--truth-frame camera --estimate-frame camera"));
+}
+
 TEST_CASE("camera poses taken for the sensor's are named", "[evaluation][mix_ups]") {
   const Trajectory estimate = odometry_of(truth());
   const Eigen::Isometry3d C = T_camera_sensor_axes();
