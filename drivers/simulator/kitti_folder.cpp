@@ -5,6 +5,7 @@
 #include <ranges>
 #include <string>
 
+#include "pago/core/error.hpp"
 #include "pago/core/text.hpp"
 #include "pago/evaluation/trajectory.hpp"
 #include "pago/output/text_file.hpp"
@@ -23,6 +24,10 @@ std::string_view bytes_of(const std::vector<T>& values) {
 KittiFolder::KittiFolder(const std::filesystem::path& folder) : folder_(folder) {
   output::make_folders(folder / "velodyne");
   output::make_folders(folder / "labels");
+  // Scans of another drive, were it longer, would stay and be taken for this one's.
+  if (!std::filesystem::is_empty(folder / "velodyne"))
+    throw Error((folder / "velodyne").string(), "holds scans already",
+                "choose another folder with --kitti, or remove this one");
 }
 
 void KittiFolder::write_scan(std::uint64_t scan, const LabelledRings& rings) const {

@@ -33,7 +33,8 @@ double distance_to(const Tile& tile, const Eigen::Vector3d& place) {
 struct RayCaster::State {
   explicit State(std::function<Mesh(const Tile&)> make)
       : make_tile(std::move(make)), device(make_embree_device()), scene(rtcNewScene(device.get())) {
-    // A tree of boxes for each tile: they come and go without the others being built anew. Rays take no longer for it.
+    // A tree of boxes for each tile: they come and go without the others being built anew. Rays take no
+    // longer for it.
     rtcSetSceneBuildQuality(scene.get(), RTC_BUILD_QUALITY_LOW);
     rtcSetSceneFlags(scene.get(), static_cast<RTCSceneFlags>(RTC_SCENE_FLAG_DYNAMIC | RTC_SCENE_FLAG_ROBUST));
   }

@@ -102,6 +102,7 @@ std::uint64_t render(const Config& config,
                      const std::atomic<bool>& stop) {
   Simulator drive(config.simulator, config.hdl64, config.mount);
   if (!files.calibration.empty()) output::write_file(files.calibration, calibration_xml(drive.calibration()));
+  if (!files.truth.empty()) output::write_file(files.truth, "");  // fails before the work
   Outputs outputs(drive, config, files);
   SimulatedPacket packet;
   std::uint64_t done = 0;

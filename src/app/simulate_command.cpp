@@ -97,12 +97,15 @@ void add_simulate_command(CLI::App& program, Action& action) {
   add_file("--calibration-out", options->files.calibration, "the unit's calibration as db.xml");
   add_file("--truth", options->files.truth,
            "TUM poses at 200 Hz; beside it, per sweep, its start, mid and end");
-  command.add_option("--kitti", options->files.kitti, "folder of scans with SemanticKITTI labels")
-      ->type_name("DIR");
+  CLI::Option* const kitti =
+      command.add_option("--kitti", options->files.kitti, "new folder of scans with SemanticKITTI labels")
+          ->type_name("DIR");
   command.add_option("--pictures", options->files.pictures, "folder: the middle scan as PNG")
       ->type_name("DIR");
-  command.add_flag("--compensated", options->files.kitti_compensated,
-                   "scans of --kitti in the frame of their middle instead of raw");
+  command
+      .add_flag("--compensated", options->files.kitti_compensated,
+                "scans of --kitti in the frame of their middle instead of raw")
+      ->needs(kitti);
   options->settings.add_to(command);
   command.callback([&action, options] { action = [options] { return simulate_command(*options); }; });
 }

@@ -47,7 +47,7 @@ void make_folders(const std::filesystem::path& folder) {
   if (fault || !std::filesystem::is_directory(folder))
     throw Error(folder.string(),
                 "the folder cannot be made: " + (fault ? fault.message() : "a file is in the way"),
-                "choose another with --output");
+                "choose another");
 }
 
 void write_file(const std::filesystem::path& path, std::string_view bytes) {

@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <fstream>
 
 #include "drivers/simulator/surface.hpp"
+#include "pago/core/error.hpp"
 #include "pago/evaluation/ground_metrics.hpp"
 #include "pago/evaluation/trajectory.hpp"
 #include "pago/kitti/kitti_source.hpp"
@@ -94,6 +96,22 @@ TEST_CASE("a rendered KITTI folder is one for PaGO's reader, with a label per po
   CHECK(T_second_first.translation().x() == Approx(-1.1).margin(0.2));
   // Compensated scans fit onto each other; the points of a wall are some centimetres apart.
   CHECK(median_distance_m(first, second, T_second_first) < 0.06);
+}
+
+TEST_CASE("a folder with scans is not written into, and a truth that cannot be written is told first",
+          "[simulator][kitti]") {
+  const test::TemporaryPath folder("");
+  fs::create_directories(folder.path() / "velodyne");
+  std::ofstream(folder.path() / "velodyne" / "000050.bin") << "of a longer drive";
+  simulator::DriveFiles scans, packets;
+  scans.kitti = folder.path();
+  REQUIRE_THROWS_WITH(render_to(short_drive(), scans), Catch::Contains("holds scans already"));
+  CHECK(fs::exists(folder.path() / "velodyne" / "000050.bin"));
+
+  packets.pcap = folder.path() / "drive.pcap";
+  packets.truth = folder.path() / "missing" / "x.tum";
+  REQUIRE_THROWS_AS(render_to(short_drive(), packets), Error);
+  CHECK(!fs::exists(packets.pcap));
 }
 
 TEST_CASE("packets, labels, calibration and truth are written side by side", "[simulator][kitti]") {
