@@ -8,6 +8,8 @@
 #include <numbers>
 #include <utility>
 
+#include "pago/core/error.hpp"
+#include "pago/core/text.hpp"
 #include "random.hpp"
 
 namespace pago::simulator {
@@ -154,6 +156,10 @@ void append_arc(const Vector2d& corner, const Vector2d& u, const Vector2d& v, st
 }  // namespace
 
 Route make_city(std::uint64_t seed, double length_m, double loop_m) {
+  constexpr double kLeastLoop_m = 4 * kBlock_m;
+  if (loop_m > 0.0 && loop_m < kLeastLoop_m)
+    throw Error("simulator.loop_m", format("%g m is too short for a loop in this world", loop_m),
+                format("give %g m or more, or 0 for no loop", kLeastLoop_m));
   const std::vector<Node> route = loop_m > 0.0 ? choose_loop(length_m, loop_m) : choose_route(seed, length_m);
   Route city;
   city.streets = build_streets(seed, choose_streets(seed, route));

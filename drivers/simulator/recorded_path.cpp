@@ -8,6 +8,7 @@
 
 #include "heights.hpp"
 #include "pago/core/error.hpp"
+#include "pago/core/text.hpp"
 #include "pago/evaluation/trajectory.hpp"
 
 namespace pago::simulator {
@@ -16,6 +17,7 @@ namespace {
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 
+constexpr double kJump_m = 7.0;   // from pose to pose: 250 km/h
 constexpr double kApart_m = 1.5;  // between the poses that shape the way: standing still shapes nothing
 constexpr int kFine = 4;          // points of the way for each of them
 constexpr double kStreet_m = 120.0;
@@ -49,12 +51,18 @@ struct Thinned {
 Thinned thin(const std::filesystem::path& file, const std::vector<Eigen::Isometry3d>& poses) {
   Thinned result{{poses.front().translation()}, std::vector<double>(poses.size(), 0.0)};
   std::size_t first = 0;  // pose of the last point
+  const auto refuse = [&](std::size_t i, const std::string& what) {
+    throw Error(file.string() + ":" + std::to_string(i + 1), what,
+                "give a path that goes forwards, 10 poses a second: x right, y down, z forward, of a camera "
+                "that looks ahead");
+  };
   for (std::size_t i = 1; i < poses.size(); ++i) {
+    const double apart_m = (poses[i].translation() - poses[i - 1].translation()).norm();
+    if (apart_m > kJump_m) refuse(i, format("is %.1f m from the pose before", apart_m));
     const Vector3d step = poses[i].translation() - result.points.back();
     if (step.norm() < kApart_m) continue;
-    if (step.dot(poses[first].linear().col(0)) < -0.5 * step.norm())
-      throw Error(file.string() + ":" + std::to_string(i + 1), "drives backwards",
-                  "give a path that goes forwards: x right, y down, z forward, of a camera that looks ahead");
+    const double ahead = step.dot(poses[first].linear().col(0)) / step.norm();
+    if (ahead < 0.5) refuse(i, ahead < -0.5 ? "drives backwards" : "drives sideways");
     const auto place = static_cast<double>(result.points.size() - 1);
     for (std::size_t k = first + 1; k <= i; ++k) {
       const double share = step.dot(poses[k].translation() - result.points.back()) / step.squaredNorm();

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "pago/simulator/render.hpp"
 
+#include <iterator>
 #include <memory>
 
 #include "faults.hpp"
@@ -24,6 +25,15 @@ constexpr std::uint64_t kProgressEvery = 64;  // packets: 20 ms of the drive
 /// What writers note instead of throwing.
 void check(const std::string& complaint) {
   if (!complaint.empty()) throw Error("simulator", complaint, "is there room on the disk?");
+}
+
+void check_distinct(const DriveFiles& files) {
+  const std::filesystem::path* const all[] = {&files.pcap,  &files.labels, &files.calibration,
+                                              &files.truth, &files.kitti,  &files.pictures};
+  for (std::size_t i = 0; i < std::size(all); ++i)
+    for (std::size_t j = 0; j < i; ++j)
+      if (!all[i]->empty() && all[i]->lexically_normal() == all[j]->lexically_normal())
+        throw Error(all[i]->string(), "is named twice", "each output needs a name of its own");
 }
 
 /// The drive's outputs that are written packet by packet.
@@ -100,6 +110,7 @@ std::uint64_t render(const Config& config,
                      const DriveFiles& files,
                      const std::function<void(const Progress&)>& on_progress,
                      const std::atomic<bool>& stop) {
+  check_distinct(files);
   Simulator drive(config.simulator, config.hdl64, config.mount);
   if (!files.calibration.empty()) output::write_file(files.calibration, calibration_xml(drive.calibration()));
   if (!files.truth.empty()) output::write_file(files.truth, "");  // fails before the work

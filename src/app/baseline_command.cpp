@@ -11,6 +11,8 @@
 #include "pago/core/error.hpp"
 #include "pago/core/text.hpp"
 #include "pago/output/results_folder.hpp"
+#include "pago/output/run_report.hpp"
+#include "pago/output/text_file.hpp"
 #include "pago/output/trajectory_writer.hpp"
 #include "pago/platform/clock.hpp"
 #include "progress_line.hpp"
@@ -60,6 +62,21 @@ Driven drive(SweepReader& reader,
   return driven;
 }
 
+/// What `pago evaluate` asks of a folder: whose settings these poses are of.
+void write_run_json(const std::filesystem::path& folder,
+                    const std::string& source,
+                    const Config& config,
+                    const Driven& driven) {
+  output::RunReport report;
+  report.version = PAGO_VERSION;
+  report.source = source;
+  report.config_toml = dump_toml(config);
+  report.facts.emplace_back("method", "pago baseline");
+  const auto totals = std::make_unique<output::RunTotals>();
+  totals->num_poses = driven.poses;
+  output::write_file(folder / "run.json", output::run_json(report, *totals));
+}
+
 int baseline_command(const BaselineOptions& options) {
   stop_on_signals();
   Config config = options.settings.load();
@@ -73,6 +90,7 @@ int baseline_command(const BaselineOptions& options) {
   const Driven driven = drive(reader, source, config.odometry.pose_instant, trajectory);
   if (driven.poses == 0)
     throw Error(options.source, reader.failure().empty() ? "holds no whole sweep" : reader.failure());
+  write_run_json(results.folder, options.source, config, driven);
   std::cout << format("poses     %llu, %.1f ms of CPU each\n", static_cast<unsigned long long>(driven.poses),
                       static_cast<double>(driven.cpu_ns) * 1e-6 / static_cast<double>(driven.poses))
             << "files     " << results.folder.string() << '\n';

@@ -4,6 +4,8 @@
 
 #include <filesystem>
 
+#include "pago/config/load.hpp"
+
 namespace pago::app {
 
 namespace {
@@ -19,13 +21,17 @@ void attach_covariances(Estimate& estimate, const fs::path& file) {
 
 }  // namespace
 
-Estimate load_estimate(const std::string& argument, const std::string& name, bool with_stamps) {
+Estimate load_estimate(const std::string& argument,
+                       const std::string& name,
+                       bool with_stamps,
+                       const fs::path& times_file) {
   fs::path file = argument;
   const bool is_folder = fs::is_directory(file);
   Estimate estimate;
   if (is_folder && output::is_results_folder(file)) estimate.run = output::read_run_files(file);
   if (is_folder) file /= name + (with_stamps ? ".tum" : ".kitti");
   estimate.trajectory = evaluation::read_trajectory(file);
+  if (!times_file.empty()) evaluation::attach_times(estimate.trajectory, times_file);
   if (is_folder) estimate.trajectory.name = argument;
   if (!estimate.run && output::is_results_folder(file.parent_path()))
     estimate.run = output::read_run_files(file.parent_path());
@@ -34,14 +40,11 @@ Estimate load_estimate(const std::string& argument, const std::string& name, boo
   return estimate;
 }
 
-std::string pose_instant_of(const Estimate& estimate) {
-  if (!estimate.run) return {};
-  const std::string& settings = estimate.run->facts.config_toml;
-  const std::string key = "pose_instant = \"";
-  const std::size_t at = settings.find(key);
-  if (at == std::string::npos) return {};
-  const std::size_t start = at + key.size();
-  return settings.substr(start, settings.find('"', start) - start);
+std::optional<PoseInstant> pose_instant_of(const Estimate& estimate) {
+  if (!estimate.run || estimate.run->facts.config_toml.empty()) return std::nullopt;
+  Config settings;
+  apply_toml(settings, estimate.run->facts.config_toml, (estimate.run->folder / "run.json").string());
+  return settings.odometry.pose_instant;
 }
 
 }  // namespace pago::app

@@ -2,9 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <filesystem>
 #include <optional>
 #include <string>
 
+#include "pago/config/odometry.hpp"
 #include "pago/evaluation/trajectory.hpp"
 #include "pago/output/run_files.hpp"
 
@@ -18,10 +20,13 @@ struct Estimate {
 
 /// A trajectory file, or a folder of `pago run` or `pago baseline`: then its trajectory NAME, with stamps
 /// (.tum) or as rows (.kitti). What lies beside a trajectory of a results folder comes along: run.json,
-/// latency.csv, poses.csv.
-Estimate load_estimate(const std::string& argument, const std::string& name, bool with_stamps);
+/// latency.csv, poses.csv. Rows without stamps get those of a times file, if one is named.
+Estimate load_estimate(const std::string& argument,
+                       const std::string& name,
+                       bool with_stamps,
+                       const std::filesystem::path& times_file = {});
 
-/// The instant that a run's poses hold for, by its settings: "start", "mid", "end"; empty when unknown.
-std::string pose_instant_of(const Estimate& estimate);
+/// The instant that a run's poses hold for, by its settings; nothing when it left none.
+std::optional<PoseInstant> pose_instant_of(const Estimate& estimate);
 
 }  // namespace pago::app

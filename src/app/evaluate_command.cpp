@@ -25,6 +25,7 @@ using Unit = evaluation::PairOptions::Unit;
 
 struct EvaluateOptions {
   std::string truth, rows, camera_calibration, truth_at, estimate_at, html, ground;
+  std::string truth_times, estimate_times;
   std::vector<std::string> estimates;
   std::vector<double> truth_mount;
   std::string match = "auto", truth_frame = "sensor", estimate_frame = "sensor", poses = "refined";
@@ -41,6 +42,8 @@ const std::map<std::string, Alignment> kAlignments{{"se3", Alignment::kSe3},
                                                    {"yaw", Alignment::kYaw},
                                                    {"first", Alignment::kFirstPose},
                                                    {"none", Alignment::kNone}};
+const std::map<std::string, PoseInstant> kInstants{
+    {"start", PoseInstant::kStart}, {"mid", PoseInstant::kMid}, {"end", PoseInstant::kEnd}};
 const std::map<std::string, Unit> kUnits{{"m", Unit::kMetres}, {"rows", Unit::kRows}};
 const std::map<std::string, std::string> kPoses{
     {"refined", "trajectory"}, {"first", "odometry"}, {"front_end", "front_end"}};
@@ -74,23 +77,31 @@ void add_matching_options(CLI::App& command, EvaluateOptions& options) {
       ->type_name("SECONDS")
       ->group(group);
   command
-      .add_flag("--interpolate", match.interpolates_truth,
-                "by stamp: interpolate the truth to the estimate's stamps")
+      .add_flag(
+          "--interpolate", match.interpolates_truth,
+          "by stamp: interpolate the truth to the estimate's stamps; a truth of twice the rate always is")
       ->group(group);
   command.add_option("--time-offset", match.time_offset_s, "by stamp: added to the estimate's stamps")
       ->type_name("SECONDS")
       ->group(group);
-  const std::vector<std::string> instants{"start", "mid", "end"};
+  command
+      .add_option("--truth-times", options.truth_times,
+                  "stamps for KITTI rows of the truth: a time in seconds per line")
+      ->type_name("FILE")
+      ->group(group);
+  command.add_option("--estimate-times", options.estimate_times, "the same for KITTI rows of the estimate")
+      ->type_name("FILE")
+      ->group(group);
   command
       .add_option("--truth-at", options.truth_at,
                   "by row: at which instant of its sweep the truth holds: start, mid, end")
-      ->check(words(instants))
+      ->check(words(kInstants))
       ->type_name("INSTANT")
       ->group(group);
   command
       .add_option("--estimate-at", options.estimate_at,
                   "the same of the estimate; default: what its run.json says")
-      ->check(words(instants))
+      ->check(words(kInstants))
       ->type_name("INSTANT")
       ->group(group);
 }
@@ -185,14 +196,26 @@ evaluation::EvaluationOptions common_options(const EvaluateOptions& options) {
   return how;
 }
 
+/// In rows: half a sweep is half a row.
+double rows_of(PoseInstant instant) {
+  return 0.5 * static_cast<double>(instant);
+}
+
 double instant_shift(const EvaluateOptions& options, const Estimate& estimate) {
   if (options.truth_at.empty() && options.estimate_at.empty()) return 0.0;
-  const std::string at = options.estimate_at.empty() ? pose_instant_of(estimate) : options.estimate_at;
-  if (options.truth_at.empty() || at.empty())
+  const std::optional<PoseInstant> at =
+      options.estimate_at.empty() ? pose_instant_of(estimate) : kInstants.at(options.estimate_at);
+  if (options.truth_at.empty() || !at)
     throw Error(options.truth_at.empty() ? options.truth : estimate.trajectory.name,
                 "is not said to hold for the start, the middle or the end of each sweep",
                 "give both --truth-at and --estimate-at");
-  return evaluation::parse_instant(at) - evaluation::parse_instant(options.truth_at);
+  return rows_of(*at) - rows_of(kInstants.at(options.truth_at));
+}
+
+evaluation::Trajectory load_truth(const EvaluateOptions& options) {
+  evaluation::Trajectory truth = evaluation::read_trajectory(options.truth);
+  if (!options.truth_times.empty()) evaluation::attach_times(truth, options.truth_times);
+  return truth;
 }
 
 void print(const std::vector<evaluation::Evaluation>& scores, bool as_json) {
@@ -204,14 +227,15 @@ void print(const std::vector<evaluation::Evaluation>& scores, bool as_json) {
 }
 
 int evaluate_command(const EvaluateOptions& options) {
-  const evaluation::Trajectory truth = evaluation::read_trajectory(options.truth);
+  const evaluation::Trajectory truth = load_truth(options);
   evaluation::EvaluationOptions how = common_options(options);
   const bool with_stamps = truth.has_stamps() && how.match.matching != Matching::kRow;
   const std::vector<std::string> names = report::short_names(options.estimates);
   std::vector<evaluation::Evaluation> scores;
   report::EvaluationPage page;
   for (std::size_t i = 0; i < options.estimates.size(); ++i) {
-    const Estimate estimate = load_estimate(options.estimates[i], kPoses.at(options.poses), with_stamps);
+    const Estimate estimate =
+        load_estimate(options.estimates[i], kPoses.at(options.poses), with_stamps, options.estimate_times);
     how.match.instant_shift_rows = instant_shift(options, estimate);
     scores.push_back(evaluation::evaluate(truth, estimate.trajectory, how));
     page.scored.push_back({names[i], scores.back()});

@@ -187,6 +187,14 @@ OpenPackets open_simulated(const std::string& drive, Config&) {
 }
 #endif
 
+/// Scans whose motion is taken out already have one instant only, their middle: settings in run.json say so.
+OpenFolder open_folder(const fs::path& path, Config& config) {
+  OpenFolder open{
+      std::make_unique<KittiSource>(path, config.kitti, SelfFilter(config.vehicle, config.mount))};
+  if (open.sweeps->is_compensated()) config.odometry.pose_instant = PoseInstant::kMid;
+  return open;
+}
+
 bool is_live_name(const std::string& name) {
   return name.starts_with("udp:");
 }
@@ -201,10 +209,7 @@ OpenSource open(const std::string& name, Config& config) {
   if (fs::path(name).extension() == ".bin")
     throw Error(name, "is a single scan", "name the folder that it lies in");
   std::error_code unknown;
-  if (folder || fs::is_directory(name, unknown)) {
-    return OpenFolder{std::make_unique<KittiSource>(folder.value_or(name), config.kitti,
-                                                    SelfFilter(config.vehicle, config.mount))};
-  }
+  if (folder || fs::is_directory(name, unknown)) return open_folder(folder.value_or(name), config);
   return open_capture(name, config);
 }
 

@@ -74,15 +74,14 @@ const StampedPose& nearest(const Poses& poses, std::int64_t stamp_ns) {
   if (after == poses.end()) return poses.back();
   if (after == poses.begin()) return *after;
   const auto before = std::prev(after);
-  return stamp_ns - *before->stamp_ns <= *after->stamp_ns - stamp_ns ? *before : *after;
+  return stamp_ns - *before->stamp_ns < *after->stamp_ns - stamp_ns ? *before : *after;
 }
 
-std::optional<Eigen::Isometry3d> pose_near(const Poses& poses, std::int64_t stamp_ns, std::int64_t max_ns) {
-  const StampedPose& pose = nearest(poses, stamp_ns);
-  if (std::abs(*pose.stamp_ns - stamp_ns) > max_ns) return std::nullopt;
-  return pose.T_world_sensor;
+std::int64_t apart_ns(const StampedPose& a, const StampedPose& b) {
+  return std::abs(*a.stamp_ns - *b.stamp_ns);
 }
 
+/// Of a dense truth, at a stamp between two of its own; nothing beyond either end or in a gap of it.
 std::optional<Eigen::Isometry3d> pose_at(const Poses& poses, std::int64_t stamp_ns, std::int64_t max_ns) {
   const auto after = not_before(poses, stamp_ns);
   if (after == poses.end() || std::abs(*nearest(poses, stamp_ns).stamp_ns - stamp_ns) > max_ns)
@@ -99,11 +98,12 @@ bool is_chosen(const StampedPose& pose, const MatchOptions& options) {
   return !options.rows || (pose.row >= options.rows->first && pose.row <= options.rows->last);
 }
 
-/// A pose of the estimate belongs to the truth row that it is nearest to, and to no other.
+/// A pose of the estimate belongs to a truth row that it is nearest to, and to no other.
 std::vector<MatchedPose> on_truth(const Trajectory& truth,
                                   const Trajectory& estimate,
                                   const MatchOptions& options) {
   std::vector<MatchedPose> poses;
+  std::optional<std::size_t> taken;
   for (const StampedPose& pose : truth.poses) {
     if (!is_chosen(pose, options)) continue;
     MatchedPose& matched = poses.emplace_back();
@@ -111,10 +111,11 @@ std::vector<MatchedPose> on_truth(const Trajectory& truth,
     matched.stamp_ns = pose.stamp_ns;
     matched.T_world_sensor_truth = pose.T_world_sensor;
     const StampedPose& candidate = nearest(estimate.poses, *pose.stamp_ns);
-    if (nearest(truth.poses, *candidate.stamp_ns).row != pose.row) continue;
-    matched.T_world_sensor_estimate =
-        pose_near(estimate.poses, *pose.stamp_ns, ns_of(options.max_difference_s));
-    matched.estimate_row = candidate.row;
+    const std::int64_t distance_ns = apart_ns(candidate, pose);
+    const bool is_of_another = distance_ns > apart_ns(candidate, nearest(truth.poses, *candidate.stamp_ns));
+    if (is_of_another || taken == candidate.row || distance_ns > ns_of(options.max_difference_s)) continue;
+    matched.T_world_sensor_estimate = candidate.T_world_sensor;
+    matched.estimate_row = *(taken = candidate.row);
   }
   return poses;
 }
@@ -124,10 +125,9 @@ std::vector<MatchedPose> on_estimate(const Trajectory& truth,
                                      const Trajectory& estimate,
                                      const MatchOptions& options) {
   std::vector<MatchedPose> poses;
-  const auto truth_at = options.interpolates_truth ? pose_at : pose_near;
   for (const StampedPose& pose : estimate.poses) {
     if (!is_chosen(pose, options)) continue;
-    const auto found = truth_at(truth.poses, *pose.stamp_ns, ns_of(options.max_difference_s));
+    const auto found = pose_at(truth.poses, *pose.stamp_ns, ns_of(options.max_difference_s));
     if (found) poses.push_back({pose.row, pose.stamp_ns, *found, pose.T_world_sensor, pose.row});
   }
   return poses;
@@ -141,6 +141,31 @@ std::int64_t median_interval_ns(const Poses& poses) {
   const auto middle = intervals.begin() + static_cast<std::ptrdiff_t>(intervals.size() / 2);
   std::nth_element(intervals.begin(), middle, intervals.end());
   return *middle;
+}
+
+/// What rows of the estimate as the base would hide.
+std::vector<std::string> notes_on(const Trajectory& estimate,
+                                  const MatchOptions& options,
+                                  std::size_t num_scored) {
+  std::vector<std::string> notes;
+  const auto chosen = std::count_if(estimate.poses.begin(), estimate.poses.end(),
+                                    [&](const StampedPose& pose) { return is_chosen(pose, options); });
+  if (static_cast<std::size_t>(chosen) > num_scored)
+    notes.push_back(format("%zu of %zu poses have no truth near them and are left out.",
+                           static_cast<std::size_t>(chosen) - num_scored, static_cast<std::size_t>(chosen)));
+  const std::int64_t usual_ns = median_interval_ns(estimate.poses);
+  std::int64_t num_missing = 0, longest_ns = 0;
+  for (std::size_t i = 1; usual_ns > 0 && i < estimate.poses.size(); ++i) {
+    const std::int64_t interval_ns = apart_ns(estimate.poses[i], estimate.poses[i - 1]);
+    num_missing += std::max<std::int64_t>(0, (interval_ns + usual_ns / 2) / usual_ns - 1);
+    longest_ns = std::max(longest_ns, interval_ns);
+  }
+  if (num_missing > 0)
+    notes.push_back(
+        format("By its stamps the estimate lacks about %lld poses, for at most %.2f s; nothing "
+               "is scored there, and rows count on as if there were none missing.",
+               static_cast<long long>(num_missing), static_cast<double>(longest_ns) * 1e-9));
+  return notes;
 }
 
 std::string span_of(const Trajectory& trajectory) {
@@ -170,7 +195,8 @@ MatchedTrajectories match_stamps(const Trajectory& truth,
                                  const MatchOptions& options) {
   for (const Trajectory* trajectory : {&truth, &estimate_as_given})
     if (!trajectory->has_stamps())
-      throw Error(trajectory->name, "has no stamps to match by", "KITTI files need a times file for that");
+      throw Error(trajectory->name, "has no stamps to match by",
+                  "KITTI files need a times file for that: --truth-times, --estimate-times");
   if (options.instant_shift_rows != 0.0)
     throw Error(estimate_as_given.name, "is matched by stamps, which say at which instant its poses hold",
                 "start, mid and end are for matching by row; by stamp give a time offset");
@@ -180,20 +206,14 @@ MatchedTrajectories match_stamps(const Trajectory& truth,
   MatchedTrajectories matched;
   matched.poses = is_on_estimate ? on_estimate(truth, estimate, options) : on_truth(truth, estimate, options);
   matched.how = format("by stamp within %.3f s%s", options.max_difference_s,
-                       options.interpolates_truth ? ", truth interpolated" : "");
+                       is_on_estimate ? ", truth interpolated" : "");
   if (options.time_offset_s != 0.0) matched.how += format(", offset %+.3f s", options.time_offset_s);
   if (matched.num_matched() == 0) refuse_clocks(truth, estimate, options.max_difference_s);
+  if (is_on_estimate) matched.notes = notes_on(estimate, options, matched.poses.size());
   return matched;
 }
 
 }  // namespace
-
-double parse_instant(std::string_view word) {
-  if (word == "start") return 0.0;
-  if (word == "mid") return 0.5;
-  if (word == "end") return 1.0;
-  throw Error("instant", "\"" + std::string(word) + "\" is not start, mid or end");
-}
 
 RowRange parse_row_range(std::string_view text) {
   RowRange range;

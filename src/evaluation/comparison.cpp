@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "no_value.hpp"
 #include "pago/core/text.hpp"
 #include "rotation.hpp"
 
@@ -39,6 +40,8 @@ constexpr Figure kComparedFigures[] = {
      [](const Evaluation& e) { return e.relative.overall.axis_deg_per_100m.z(); }},
     {"RPE", "m", "evo's relative pose error, root mean square of the translation",
      [](const Evaluation& e) { return e.pairs.translation_m.rmse; }},
+    {"NEES", "6 if right", "squared error of each motion by the covariance reported with it",
+     [](const Evaluation& e) { return e.consistency ? e.consistency->nees : kNoValue; }},
 };
 
 std::string cell(const ComparedFigure& figure, std::size_t i) {

@@ -89,7 +89,8 @@ Evaluation evaluate(Trajectory truth, Trajectory estimate, const EvaluationOptio
   e.course = course_of(matched, options.alignment);
   e.course_alignment = options.alignment;
   e.mix_ups = find_mix_ups(truth, estimate, options.match);
-  e.warnings = warnings_of(e);
+  e.warnings = matched.notes;
+  for (std::string& warning : warnings_of(e)) e.warnings.push_back(std::move(warning));
   return e;
 }
 

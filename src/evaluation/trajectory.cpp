@@ -91,6 +91,7 @@ Trajectory read_trajectory(const std::filesystem::path& file) {
 
 void attach_times(Trajectory& trajectory, const std::filesystem::path& times_file) {
   const std::string name = times_file.string();
+  if (trajectory.has_stamps()) throw Error(trajectory.name, "has stamps of its own", "leave out " + name);
   const std::vector<NumberRow> rows = parse_number_rows(read_text(times_file), name);
   if (rows.size() != trajectory.poses.size())
     throw Error(name, "has " + std::to_string(rows.size()) + " times, " + trajectory.name + " has " +

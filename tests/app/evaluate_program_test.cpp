@@ -33,6 +33,33 @@ TEST_CASE("a run and the baseline are compared, on the terminal and on a page", 
   CHECK(misplaced_tag(page) == "");
   CHECK_FALSE(fetches(page));
   CHECK_THAT(page, Contains("CPU of all stages") && Contains("class=\"best\""));
+
+  // Both folders say at which instants their poses hold, so that a truth at another one can be used by row.
+  const Outcome at_mid = pago(
+      "evaluate results/latest/odometry.kitti results/latest baselines/latest --truth-at mid --lengths 1 "
+      "--step 1");
+  INFO(at_mid.err);
+  REQUIRE(at_mid.exit_code == 0);
+  CHECK_THAT(at_mid.out, Contains("truth carried on by +0.5 rows"));
+}
+
+TEST_CASE("KITTI rows are matched by the stamps of a times file", "[app][evaluate]") {
+  const TemporaryPath folder("");
+  fs::create_directories(folder.path());
+  const auto write = [&](const char* name, const std::string& text) {
+    std::ofstream(folder.path() / name) << text;
+  };
+  write("rows.txt", "1 0 0 0 0 1 0 0 0 0 1 0\n1 0 0 1 0 1 0 0 0 0 1 0\n1 0 0 2 0 1 0 0 0 0 1 0\n");
+  write("times.txt", "5.0\n5.1\n5.2\n");
+  write("drive.tum", "5.1 0 0 0 0 0 0 1\n5.2 1 0 0 0 0 0 1\n");
+  const auto pago = [&](const std::string& arguments) { return run_pago(folder.path(), arguments); };
+  const Outcome truth_timed = pago("evaluate rows.txt drive.tum --truth-times times.txt");
+  CHECK_THAT(truth_timed.out, Contains("2 of 3 rows, by stamp"));
+  const Outcome estimate_timed = pago("evaluate drive.tum rows.txt --estimate-times times.txt");
+  CHECK_THAT(estimate_timed.out, Contains("2 of 2 rows, by stamp"));
+  require_one_line_and_code_2(pago("evaluate rows.txt drive.tum --match stamp"), "--truth-times");
+  require_one_line_and_code_2(pago("evaluate drive.tum drive.tum --truth-times times.txt"),
+                              "has stamps of its own");
 }
 
 TEST_CASE("evaluate and baseline refuse what they cannot use", "[app][refusals]") {

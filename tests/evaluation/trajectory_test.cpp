@@ -98,8 +98,12 @@ TEST_CASE("a times file stamps KITTI rows", "[evaluation][trajectory]") {
   attach_times(t, ScratchFile("0.000000e+00\n1.036224e-01\n").path);
   CHECK(t.has_stamps());
   CHECK(t.poses[1].stamp_ns == 103'622'400);
+  CHECK_THROWS_WITH(attach_times(t, ScratchFile("0\n1\n").path), Contains("t.txt: has stamps of its own"));
+  t = parse_trajectory(kIdentity + kIdentity, "t.txt");
   CHECK_THROWS_WITH(attach_times(t, ScratchFile("0\n").path), Contains("has 1 times, t.txt has 2 poses"));
+  t = parse_trajectory(kIdentity + kIdentity, "t.txt");
   CHECK_THROWS_WITH(attach_times(t, ScratchFile("0\n1 2\n").path), Contains(":2: is not one number"));
+  t = parse_trajectory(kIdentity + kIdentity, "t.txt");
   CHECK_THROWS_WITH(attach_times(t, ScratchFile("1\n1\n").path), Contains(":2: is not later"));
 }
 

@@ -1,6 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The PaGO authors
 // SPDX-License-Identifier: BSD-3-Clause
+#include <unistd.h>
+
 #include <atomic>
+#include <chrono>
 #include <cstdlib>
 #include <fstream>
 
@@ -81,6 +84,46 @@ TEST_CASE("a drive that was stopped leaves nothing behind", "[simulator][cache]"
   Cache cache;
   REQUIRE_THROWS_AS(cache.get(tiny_drive(), true), std::runtime_error);
   CHECK(cache.entries() == 0);
+}
+
+TEST_CASE("a cached drive that files are missing from is rendered anew", "[simulator][cache]") {
+  Cache cache;
+  const fs::path folder = cache.get(tiny_drive());
+  fs::remove(folder / "truth.tum");
+  cache.rendered = 0;
+  CHECK(cache.get(tiny_drive()) == folder);
+  CHECK(cache.rendered > 0);
+  CHECK(fs::exists(folder / "truth.tum"));
+}
+
+TEST_CASE("the cache lets go of what was used longest ago, and of what killed processes left",
+          "[simulator][cache]") {
+  Cache cache;
+  const auto drive = [&](int seed, std::uintmax_t most_bytes = simulator::kMostCached_bytes) {
+    Config config = tiny_drive();
+    config.simulator.seed = seed;
+    return simulator::cached_drive(
+        config, cache.folder.path(), [](const Progress&) {}, std::atomic<bool>{false}, most_bytes);
+  };
+  const fs::path first = drive(1), second = drive(2);
+  fs::last_write_time(second, fs::last_write_time(first) - std::chrono::hours(1));
+  fs::create_directory(cache.folder.path() / "0123456789abcdef.99999999");  // no process has this number
+  fs::create_directory(cache.folder.path() / ("0123456789abcdef." + std::to_string(getpid())));
+  const fs::path third = drive(3, 1'000'000);  // room for one of them
+  CHECK(fs::exists(first));
+  CHECK(!fs::exists(second));
+  CHECK(fs::exists(third));
+  CHECK(cache.entries() == 3);
+}
+
+TEST_CASE("no two outputs of a drive have one name", "[simulator][cache]") {
+  const test::TemporaryPath file(".pcap");
+  simulator::DriveFiles files;
+  files.pcap = file.path();
+  files.labels = file.path().parent_path() / "." / file.path().filename();
+  REQUIRE_THROWS_WITH(simulator::render(
+                          tiny_drive(), files, [](const Progress&) {}, std::atomic<bool>{false}),
+                      Catch::Contains("is named twice"));
 }
 
 TEST_CASE("the cache is where the user's caches are", "[simulator][cache]") {

@@ -102,6 +102,12 @@ TEST_CASE("paths that cannot be driven along are refused, and settings they rule
   REQUIRE_THROWS_WITH(read_path(file.path(), 4.0, 1.5), Catch::Contains("backwards"));
   std::ofstream(file.path()) << "1.0 0 0 0 0 0 0 1\n2.0 3 0 0 0 0 0 1\n";
   REQUIRE_THROWS_WITH(read_path(file.path(), 4.0, 1.5), Catch::Contains("stamps"));
+  // The sensor's poses, which look along x.
+  std::ofstream(file.path()) << "1 0 0 0 0 1 0 0 0 0 1 0\n1 0 0 3 0 1 0 0 0 0 1 0\n";
+  REQUIRE_THROWS_WITH(read_path(file.path(), 4.0, 1.5), Catch::Contains(":2: drives sideways"));
+  const auto jump = [](double t_s) { return Vector3d(8.0 * t_s + (t_s > 2.0 ? 20.0 : 0.0), 0.0, 0.0); };
+  REQUIRE_THROWS_WITH(read_path(write_path(file, 100, jump), 4.0, 1.5),
+                      Catch::Contains("is 20.8 m from the pose before"));
 
   SimulatorConfig config;
   config.path = write_path(file, 100, straight).string();

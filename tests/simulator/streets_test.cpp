@@ -52,6 +52,7 @@ TEST_CASE("at a crossing the other street is told apart", "[simulator][streets]"
 }
 
 TEST_CASE("a city's way keeps to its streets and has no corners", "[simulator][streets]") {
+  REQUIRE_THROWS_WITH(make_city(3, 800.0, 100.0), Catch::Contains("simulator.loop_m"));
   const Route city = make_city(3, 800.0);
   REQUIRE(city.way.length_m() >= 800.0);
   const StreetMap map(city.streets);

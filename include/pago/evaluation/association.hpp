@@ -33,8 +33,9 @@ struct MatchOptions {
   /// Score only these rows: of both files by row, of the base by stamp.
   std::optional<RowRange> rows = std::nullopt;
   double max_difference_s = 0.02;  ///< by stamp: poses farther apart do not match; > 0
-  bool interpolates_truth =
-      false;  ///< by stamp: truth is interpolated (slerp, lerp) to the estimate's stamps
+  /// By stamp: truth is interpolated (slerp, lerp) to the estimate's stamps, as it always is where it has
+  /// more than twice the estimate's rate.
+  bool interpolates_truth = false;
   double time_offset_s =
       0.0;  ///< by stamp: added to the estimate's stamps, to bring its clock to the truth's
   /// By row: how many rows after the truth's instant the estimate's is, e.g. 0.5 where truth holds for the
@@ -42,10 +43,6 @@ struct MatchOptions {
   /// rate between rows); rows for which it would have to be extrapolated are left out. Within [-1, 1].
   double instant_shift_rows = 0.0;
 };
-
-/// At which instant of its sweep a pose holds, as a part of the sweep: "start", "mid", "end". Error for
-/// another word.
-double parse_instant(std::string_view word);
 
 /// A row of the base trajectory with what belongs to it. The base is the truth; by stamp it
 /// is the estimate where the truth's rate is more than twice its own (a 200 Hz truth) or truth is
@@ -63,6 +60,8 @@ struct MatchedPose {
 struct MatchedTrajectories {
   std::vector<MatchedPose> poses;
   std::string how;  ///< "by row", "by stamp within 0.020 s", ... for the report
+  /// Whole sentences. With the estimate as the base, what it lacks is no row: how much that is stands here.
+  std::vector<std::string> notes{};
 
   std::size_t num_matched() const noexcept;
 };

@@ -41,8 +41,8 @@ Trajectory read_trajectory(const std::filesystem::path& file);
 /// The same from text; `name` stands for the file in messages.
 Trajectory parse_trajectory(std::string_view text, const std::string& name);
 
-/// Gives the rows of a KITTI trajectory the stamps of a times file (one number in seconds per line). Error
-/// when the counts differ.
+/// Gives the rows of a KITTI trajectory the stamps of a times file (one number in seconds per line, rising).
+/// Error when the counts differ, or the trajectory has stamps already.
 void attach_times(Trajectory& trajectory, const std::filesystem::path& times_file);
 
 /// Axes of the KITTI camera (x right, y down, z forward) to those of `sensor` (x forward, y left, z up),

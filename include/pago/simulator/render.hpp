@@ -3,6 +3,7 @@
 #pragma once
 
 #include <atomic>
+#include <cstdint>
 #include <filesystem>
 #include <functional>
 #include <string>
@@ -12,7 +13,8 @@
 
 namespace pago::simulator {
 
-/// Files that a drive is written to; those whose path is empty are left out. Existing ones are overwritten.
+/// Files that a drive is written to; those whose path is empty are left out. Existing ones are overwritten;
+/// Error when one is named twice.
 struct DriveFiles {
   std::filesystem::path pcap;
   std::filesystem::path labels;       ///< of the packets' slots: simulator/packet_labels.hpp
@@ -42,13 +44,19 @@ std::uint64_t render(const Config& config,
 /// truth.tum and its companions.
 DriveFiles files_in(const std::filesystem::path& folder);
 
+/// What cached_drive() lets a cache grow to: about an hour of packets with labels.
+inline constexpr std::uintmax_t kMostCached_bytes = 20'000'000'000;
+
 /// The drive of config.simulator, rendered into `cache` unless it is there already. What counts are the
-/// settings that shape the drive (simulator, hdl64, mount), the contents of files they name, and the
-/// simulator's own sources; so a stale drive is never used. Folders appear when they are complete.
+/// settings that shape the drive (simulator, mount, and of hdl64 what packets depend on), the contents of
+/// files they name, and the sources that it is rendered by; so a stale drive is never used. Folders appear
+/// when they are complete; one that files are missing from is rendered anew. Before a new drive, those that
+/// were used longest ago are removed until the rest is within `most_bytes`, and what killed processes left.
 std::filesystem::path cached_drive(const Config& config,
                                    const std::filesystem::path& cache,
                                    const std::function<void(const Progress&)>& on_progress,
-                                   const std::atomic<bool>& stop);
+                                   const std::atomic<bool>& stop,
+                                   std::uintmax_t most_bytes = kMostCached_bytes);
 /// $XDG_CACHE_HOME/pago/drives or ~/.cache/pago/drives. Error when neither variable is set.
 std::filesystem::path default_cache();
 
