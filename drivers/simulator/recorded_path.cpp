@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 #include "heights.hpp"
 #include "pago/core/error.hpp"
@@ -100,6 +101,49 @@ Value spline(const std::vector<Value>& control, double at) {
          weights[3] * value(i + 2);
 }
 
+/// How far along a line the point of its pieces [from, to) is that is nearest to `at`.
+double nearest_m(const std::vector<Vector2d>& line,
+                 const std::vector<double>& length,
+                 std::size_t from,
+                 std::size_t to,
+                 const Vector2d& at) {
+  double nearest_sq = std::numeric_limits<double>::infinity(), result_m = 0.0;
+  for (std::size_t i = from; i < to; ++i) {
+    const Vector2d piece = line[i + 1] - line[i];
+    const double share =
+        std::clamp((at - line[i]).dot(piece) / std::max(1e-12, piece.squaredNorm()), 0.0, 1.0);
+    const double apart_sq = (at - line[i] - share * piece).squaredNorm();
+    if (apart_sq >= nearest_sq) continue;
+    nearest_sq = apart_sq;
+    result_m = length[i] + share * (length[i + 1] - length[i]);
+  }
+  return result_m;
+}
+
+/// Recorded poses leap to and fro by centimetres, which at ten a second are accelerations that no vehicle
+/// has, and would pitch it like bumps: a mean over some tenths of a second, with the ends where they were.
+std::vector<double> smoothed(const std::vector<double>& distances_m) {
+  constexpr double kDeviation = 3.0;  // poses
+  constexpr int kReach = 9;
+  const auto last = static_cast<int>(distances_m.size()) - 1;
+  const auto at = [&](int i) {
+    if (i < 0) return 2.0 * distances_m.front() - distances_m[static_cast<std::size_t>(std::min(-i, last))];
+    if (i > last)
+      return 2.0 * distances_m.back() - distances_m[static_cast<std::size_t>(std::max(2 * last - i, 0))];
+    return distances_m[static_cast<std::size_t>(i)];
+  };
+  std::vector<double> result;
+  for (int i = 0; i <= last; ++i) {
+    double sum = 0.0, weights = 0.0;
+    for (int k = -kReach; k <= kReach; ++k) {
+      const double weight = std::exp(-0.5 * k * k / (kDeviation * kDeviation));
+      sum += weight * at(i + k), weights += weight;
+    }
+    result.push_back(sum / weights);
+  }
+  return result;
+}
+
 /// The street whose right lane the way is, with the way's heights.
 std::vector<StreetPoint> street_beside(const Way& way,
                                        const std::vector<double>& way_length,
@@ -173,14 +217,17 @@ RecordedPath read_path(const std::filesystem::path& file, double half_width_m, d
     line.emplace_back(p.head<2>());
     heights.push_back(p.z());
   }
-  const auto at_place = [](const std::vector<double>& values, double place) {
-    const auto i = std::min(static_cast<std::size_t>(place), values.size() - 2);
-    return values[i] + (place - static_cast<double>(i)) * (values[i + 1] - values[i]);
-  };
+  std::vector<double> distances_m;
+  for (std::size_t k = 0; k < poses.size(); ++k) {
+    const auto piece = static_cast<std::size_t>(kFine * thinned.place_of_pose[k]);
+    const double here_m =
+        nearest_m(line, length, piece - std::min<std::size_t>(piece, kFine),
+                  std::min(piece + 2 * kFine, line.size() - 1), poses[k].translation().head<2>());
+    distances_m.push_back(distances_m.empty() ? here_m : std::max(distances_m.back(), here_m));
+  }
 
   RecordedPath path;
-  for (const double place : thinned.place_of_pose)
-    path.distances_m.push_back(at_place(length, kFine * place));
+  path.distances_m = smoothed(distances_m);
   path.route.way = Way(std::move(line));
   path.route.streets = street_beside(path.route.way, length, lane_m, heights);
   std::vector<StreetPoint>& street = path.route.streets;

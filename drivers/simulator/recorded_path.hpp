@@ -13,7 +13,7 @@ struct RecordedPath {
   static constexpr double kInterval_s = 0.1;  ///< between poses
 
   Route route;
-  std::vector<double> distances_m;  ///< along the way, of each pose of the file
+  std::vector<double> distances_m;  ///< along the way, of each pose of the file; the pace is smoothed
 
   /// Distance at a time after the first pose: a cubic B-spline over distances_m, without jumps of speed.
   double distance_m(double t_s) const noexcept;
