@@ -42,14 +42,14 @@ Preset rural() {
                          .high_storeys = 2,
                          .has_furniture = false,
                          .parked = 0.0};
-  preset.scenery.roadside = {.hedge = 0.3,
+  preset.scenery.roadside = {.hedge = 0.22,
                              .wire_fence = 0.15,
-                             .tree_row = 0.24,
+                             .tree_row = 0.15,
                              .poles = 0.1,
                              .guard_rail = 0.08,
                              .post_every_m = 50.0,
                              .tall_grass = 0.35};
-  preset.scenery.land = {.tree = 0.08, .wood = 0.3};
+  preset.scenery.land = {.tree = 0.03, .wood = 0.3};
   preset.traffic = {.oncoming_per_s = 0.06,
                     .oncoming_left_m = 3.0,
                     .oncoming_slow_m_s = 13.0,
