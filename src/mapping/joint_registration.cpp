@@ -2,54 +2,64 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "pago/mapping/joint_registration.hpp"
 
+#include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
 
 #include "pago/core/se3.hpp"
+#include "pago/core/sweep.hpp"
 #include "pago/core/symmetric6.hpp"
 #include "pago/registration/robust.hpp"
 
 namespace pago::mapping {
 
+using registration::BendEquations;
 using registration::Cell;
 using registration::CellMap;
+using registration::Matrix12d;
 using registration::NormalEquations;
 using registration::PointCloud;
 using registration::Row;
+using registration::Vector12d;
 
 namespace {
 
 /// Fewer equations than unknowns say nothing.
 constexpr std::size_t kLeastMatches = 6;
 
-Vector6d twist_of(const Eigen::Isometry3d& T_last_this, const MotionGuess& guess) noexcept {
-  if (guess.period_s <= 0.0) return Vector6d::Zero();
-  if (guess.twist) return *guess.twist;
-  const Vector6d since_last = log_se3(T_last_this) / guess.period_s;
-  return guess.acceleration ? since_last + 0.5 * guess.period_s * *guess.acceleration : since_last;
-}
-
 bool finds_bend(const MotionGuess& guess) noexcept {
   return guess.acceleration && guess.period_s > 0.0;
 }
 
-/// How well the velocity within a sweep is known from the last motions.
-Matrix6d bend_information(const MappingConfig& config) noexcept {
-  Vector6d sigma;
-  sigma.head<3>().setConstant(config.twist_sigma_m_s);
-  sigma.tail<3>().setConstant(config.twist_sigma_rad_s);
+/// The motion within a sweep: what the motion since the last one makes expect, and the change that was found.
+MotionInSweep within(const Eigen::Isometry3d& T_last_this,
+                     const MotionGuess& guess,
+                     const Vector12d& bend) noexcept {
+  if (guess.period_s <= 0.0) return {};
+  if (guess.twist) return {*guess.twist};
+  const Vector6d since_last = log_se3(T_last_this) / guess.period_s;
+  if (!guess.acceleration) return {since_last};
+  return {since_last + 0.5 * guess.period_s * *guess.acceleration + bend.head<6>(),
+          *guess.acceleration + bend.tail<6>()};
+}
+
+/// How well that is known from the last motions.
+Matrix12d bend_information(const MappingConfig& config, const Vector6d& acceleration_sigma) noexcept {
+  Vector12d sigma;
+  sigma.segment<3>(0).setConstant(config.twist_sigma_m_s);
+  sigma.segment<3>(3).setConstant(config.twist_sigma_rad_s);
+  sigma.tail<6>() = acceleration_sigma;
   return sigma.cwiseAbs2().cwiseInverse().asDiagonal();
 }
 
-/// The change of the velocity that solves its equations: `alone` if the motion stays, and what each change of
-/// the motion adds.
+/// The bend that solves its equations: `alone` if the motion stays, and what each change of the motion adds.
 struct BendStep {
-  Vector6d alone = Vector6d::Zero();
-  Matrix6d per_motion = Matrix6d::Zero();
+  Vector12d alone = Vector12d::Zero();
+  Eigen::Matrix<double, 12, 6> per_motion = Eigen::Matrix<double, 12, 6>::Zero();
 };
-BendStep step_of(const BendEquations& bends, const Matrix6d& known, const Vector6d& bend) noexcept {
-  const Matrix6d inverse = inverse_of(bends.bend_bend + known);
-  return {-inverse * (bends.b + known * bend), -inverse * bends.motion_bend};
+BendStep step_of(const BendEquations& bends, const Matrix12d& known, const Vector12d& bend) noexcept {
+  const Eigen::LLT<Matrix12d> system(bends.bend_bend + known);
+  return {-system.solve(bends.b + known * bend), -system.solve(bends.motion_bend.transpose())};
 }
 
 }  // namespace
@@ -65,14 +75,13 @@ JointResult JointRegistration::align(CellMap& map,
   JointResult result;
   result.offered = static_cast<std::uint32_t>((points.size + limits.stride - 1) / limits.stride);
   result.T_last_this = limits.T_first.value_or(guess.T_last_this);
-  const Matrix6d known_bend = bend_information(config_);
-  Vector6d bend = Vector6d::Zero();
+  const Matrix12d known_bend = bend_information(config_, guess.acceleration_sigma);
+  Vector12d bend = Vector12d::Zero();
   while (true) {
-    result.twist = twist_of(result.T_last_this, guess) + bend;
-    match(map, points, guess.T_map_last * result.T_last_this, result.twist, limits);
+    result.within = within(result.T_last_this, guess, bend);
+    match(map, points, guess.T_map_last * result.T_last_this, result.within, limits);
     weigh(limits.kernel_min_m);
-    NormalEquations sum;
-    sum.add(rows_.view());
+    const NormalEquations sum = equations_.sum();
     ++result.iterations;
     result.information = sum.H;
     result.rms_m = sum.rms_m();
@@ -89,7 +98,7 @@ JointResult JointRegistration::align(CellMap& map,
     Vector6d b = sum.b + guess.information * off;
     BendStep bend_step;
     if (finds_bend(guess)) {  // eliminated: what is left are the equations of the motion
-      const BendEquations bends = bend_equations();
+      const BendEquations bends = equations_.bends();
       bend_step = step_of(bends, known_bend, bend);
       const Matrix6d lost = bends.motion_bend * bend_step.per_motion;
       H += lost;
@@ -108,7 +117,7 @@ JointResult JointRegistration::align(CellMap& map,
     if (result.is_cut) break;
   }
   result.T_last_this = orthonormalized(result.T_last_this);
-  result.twist = twist_of(result.T_last_this, guess) + bend;
+  result.within = within(result.T_last_this, guess, bend);
   measure(result);
   return result;
 }
@@ -116,9 +125,9 @@ JointResult JointRegistration::align(CellMap& map,
 void JointRegistration::match(CellMap& map,
                               const PointCloud& points,
                               const Eigen::Isometry3d& T_map_this,
-                              const Vector6d& twist,
+                              const MotionInSweep& motion,
                               const JointLimits& limits) noexcept {
-  const Deskew to_reference(twist);
+  const Deskew to_reference(motion);
   const Eigen::Matrix3d R = T_map_this.linear();
   const Eigen::Vector3d t = T_map_this.translation();
   const Eigen::Matrix3f R_this_map = R.transpose().cast<float>();
@@ -126,7 +135,9 @@ void JointRegistration::match(CellMap& map,
   const auto sigma_sq = static_cast<float>(config_.point_sigma_m * config_.point_sigma_m);
   rows_.clear();
   before_s_.clear();
-  for (std::size_t i = 0; i < points.size; i += limits.stride) {
+  for (std::size_t i = 0; i < points.size; ++i) {
+    const bool may_be_left_out = !limits.thins_ground_only || points.tag[i] == kGround;
+    if (may_be_left_out && i % limits.stride != 0) continue;
     const Eigen::Vector3f p = to_reference(points.point(i), points.before_s[i]);
     Eigen::Vector3f offset;
     const Cell* plane = map.find_shape(R * p.cast<double>() + t, points.tag[i], offset);
@@ -144,21 +155,12 @@ void JointRegistration::weigh(double kernel_min_m) noexcept {
   for (const Row& row : rows_) magnitudes_.push_back(std::abs(row.residual_m));
   const float width = registration::kernel_width<float>({magnitudes_.begin(), magnitudes_.size()},
                                                         static_cast<float>(kernel_min_m));
-  for (Row& row : rows_) row.kernel_weight = registration::geman_mcclure(row.residual_m, width);
-}
-
-BendEquations JointRegistration::bend_equations() const noexcept {
-  BendEquations sum;
+  equations_.clear();
   for (std::size_t i = 0; i < rows_.size(); ++i) {
-    const Row& row = rows_.view()[i];
-    const Vector6d J = row.J.cast<double>();
-    const auto s = static_cast<double>(before_s_.view()[i]);
-    const auto w = static_cast<double>(row.kernel_weight / row.variance_m2);
-    sum.motion_bend.noalias() -= (s * w * J) * J.transpose();
-    sum.bend_bend.noalias() += (s * s * w * J) * J.transpose();
-    sum.b.noalias() -= (s * w * static_cast<double>(row.residual_m)) * J;
+    Row& row = rows_[i];
+    row.kernel_weight = registration::geman_mcclure(row.residual_m, width);
+    equations_.add(row, before_s_[i]);
   }
-  return sum;
 }
 
 // With a fixed kernel: the one used for solving widens with the misfit, and so would praise a bad fit.

@@ -17,11 +17,11 @@ registration::CellMapOptions options_of(const CellsConfig& c) noexcept {
 }
 
 void insert_points(const registration::PointCloud& points,
-                   const Vector6d& twist,
+                   const MotionInSweep& motion,
                    const Eigen::Isometry3d& T_map_sensor,
                    registration::CellMap& map,
                    std::size_t stride) noexcept {
-  const Deskew to_reference(twist);
+  const Deskew to_reference(motion);
   for (std::size_t i = 0; i < points.size; i += stride) {
     const Eigen::Vector3f p = to_reference(points.point(i), points.before_s[i]);
     map.insert(T_map_sensor * p.cast<double>(), points.tag[i]);

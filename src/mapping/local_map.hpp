@@ -3,6 +3,7 @@
 #pragma once
 
 #include "pago/config/mapping.hpp"
+#include "pago/core/deskew.hpp"
 #include "pago/registration/cell_map.hpp"
 #include "pago/registration/point_cloud.hpp"
 
@@ -10,9 +11,9 @@ namespace pago::mapping {
 
 registration::CellMapOptions options_of(const CellsConfig& config) noexcept;
 
-/// Adds points, one of every `stride`, de-skewed by `twist`, seen from `T_map_sensor`. Real-time safe.
+/// Adds points, one of every `stride`, de-skewed by `motion`, seen from `T_map_sensor`. Real-time safe.
 void insert_points(const registration::PointCloud& points,
-                   const Vector6d& twist,
+                   const MotionInSweep& motion,
                    const Eigen::Isometry3d& T_map_sensor,
                    registration::CellMap& map,
                    std::size_t stride = 1) noexcept;

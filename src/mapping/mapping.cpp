@@ -24,14 +24,18 @@ constexpr int kMostInsertedStanding = 5;
 /// Longer since the last sweep than this: the motion in between is not what it was.
 constexpr double kGap_s = 0.35;
 
-void load_points(const Sweep& sweep, const FixedVector<std::uint32_t>& list, PointCloud& out) noexcept {
+void load_points(const Sweep& sweep,
+                 const FixedVector<std::uint32_t>& list,
+                 const LaserOffsets& lasers,
+                 PointCloud& out) noexcept {
   const std::int64_t reference_ns = sweep.motion.reference_ns - sweep.header.start_ns;
   out.size = 0;
   for (const std::uint32_t i : list) {
     const float before_s = sweep.motion.is_compensated
                                ? 0.0F
                                : static_cast<float>(reference_ns - sweep.time_offset_ns[i]) * 1e-9F;
-    out.add({sweep.x_m[i], sweep.y_m[i], sweep.z_m[i]}, before_s, sweep.ground[i]);
+    const Eigen::Vector3f p(sweep.x_m[i], sweep.y_m[i], sweep.z_m[i]);
+    out.add(lasers.corrected(p, sweep.ring[i]), before_s, sweep.ground[i]);
   }
 }
 
@@ -47,13 +51,15 @@ bool is_vague(const JointResult& result) noexcept {
 MappingStage::MappingStage(const MappingConfig& config)
     : config_(config),
       map_(options_of(config.cells), static_cast<std::uint32_t>(config.cells.max_cells)),
-      registration_(config, kMaxKeyPoints),
+      registration_(config, kMaxMapPoints),
       start_(config),
       trust_(config),
       keyframes_(config.keyframes),
+      lasers_(config.lasers),
       key_points_(kMaxKeyPoints),
       map_points_(kMaxMapPoints),
-      dense_(kMaxDensePoints) {}
+      dense_(kMaxDensePoints),
+      rings_(kMaxMapPoints) {}
 
 void MappingStage::finish(Sweep& sweep) noexcept {
   is_inserted_ = false;
@@ -79,27 +85,34 @@ void MappingStage::reset() noexcept {
   trust_.restart();
   standstill_.reset();
   keyframes_.reset();
+  lasers_.reset();
   phase_ = Phase::kEmpty;
   refined_ = {};
   T_odom_map_.setIdentity();
   T_map_reference_.setIdentity();
   refined_.twist.setZero();
   forget_changes();
+  mean_sq_acceleration_.setZero();
   is_placed_ = is_elsewhere_ = false;
   unmeasured_s_ = 0.0;
   predicted_in_a_row_ = unconfirmed_ = inserted_standing_ = 0;
 }
 
-void MappingStage::update(Sweep&) noexcept {
+void MappingStage::update(Sweep& sweep) noexcept {
   if (!is_inserted_) return;
-  insert_points(map_points_, twist_, T_map_reference_, map_);
+  if (sweep.estimate.health == Health::kOk) {
+    std::size_t i = 0;
+    for (const std::uint32_t point : sweep.features.map_points) rings_[i++] = sweep.ring[point];
+    lasers_.learn(map_, map_points_, rings_.first(i), T_map_reference_, within_);
+  }
+  insert_points(map_points_, within_, T_map_reference_, map_);
   map_.prune(T_map_reference_.translation(), config_.cells.radius_m, map_.num_slots() / kPruningRound_sweeps);
 }
 
 void MappingStage::load(const Sweep& sweep) noexcept {
-  load_points(sweep, sweep.features.key_points, key_points_);
-  load_points(sweep, sweep.features.map_points, map_points_);
-  if (phase_ != Phase::kTracking) load_points(sweep, sweep.features.dense, dense_);
+  load_points(sweep, sweep.features.key_points, lasers_, key_points_);
+  load_points(sweep, sweep.features.map_points, lasers_, map_points_);
+  if (phase_ != Phase::kTracking) load_points(sweep, sweep.features.dense, lasers_, dense_);
 }
 
 void MappingStage::start(Sweep& sweep) noexcept {
@@ -116,7 +129,7 @@ void MappingStage::start(Sweep& sweep) noexcept {
   estimate.reason = refined_.is_placed ? HealthReason::kMapRestarted : HealthReason::kFirstSweep;
   estimate.covariance = inverse_of(registration::predicted_information(1.0, 0));
   if (config_.start.search) return;
-  insert_points(map_points_, refined_.twist, T_map_reference_, map_);
+  insert_points(map_points_, {refined_.twist}, T_map_reference_, map_);
   phase_ = Phase::kTracking;
   refined_.has_motion = true;
 }
@@ -207,6 +220,7 @@ MotionGuess MappingStage::guess_of(const ScanMotion& motion) const noexcept {
     guess.twist = refined_.twist;
   else
     guess.acceleration = acceleration_;
+  guess.acceleration_sigma = unsteadiness();
   guess.information = registration::predicted_information(motion.period_s, unconfirmed_);
   const bool is_credible = !config_.refine || registration::may_follow(motion.T_last_this, refined_.twist,
                                                                        motion.period_s, unconfirmed_);
@@ -219,6 +233,15 @@ MotionGuess MappingStage::guess_of(const ScanMotion& motion) const noexcept {
                           ? perturb(motion.T_last_this, inverse_of(guess.information) * carried * off)
                           : motion.T_last_this;
   return guess;
+}
+
+// How far the acceleration of a sweep may be off: on a smooth road less than where the springs are at work.
+Vector6d MappingStage::unsteadiness() const noexcept {
+  constexpr double kOfLately = 1.5;
+  Vector6d least;
+  least.head<3>().setConstant(config_.acceleration_sigma_m_s2);
+  least.tail<3>().setConstant(config_.acceleration_sigma_rad_s2);
+  return least.cwiseMax(kOfLately * mean_sq_acceleration_.cwiseSqrt());
 }
 
 void MappingStage::adopt(const ScanMotion& motion,
@@ -239,7 +262,7 @@ void MappingStage::adopt(const ScanMotion& motion,
     T_map_reference_ = T_map_measured_;
     move_to(T_map_this, unmeasured_s_);
   } else if (usable && !motion.is_compensated)
-    move_to(T_map_this, motion.period_s, result.twist);
+    move_to(T_map_this, motion.period_s, result.within);
   else if (is_told)
     move_to(T_map_this, motion.period_s);
   else
@@ -260,24 +283,28 @@ void MappingStage::adopt(const ScanMotion& motion,
 // half way to the end of the sweep. The acceleration is that of the last few sweeps.
 void MappingStage::move_to(const Eigen::Isometry3d& T_map_this,
                            double period_s,
-                           const std::optional<Vector6d>& twist) noexcept {
-  constexpr double kSmoothing = 0.7, kHalfToEnd = 0.25;
+                           const std::optional<MotionInSweep>& within) noexcept {
+  constexpr double kSmoothing = 0.7, kHalfToEnd = 0.25, kMemory_sweeps = 20.0;
   const Vector6d since_last = log_se3(T_map_reference_.inverse() * T_map_this) / period_s;
-  if (phase_ == Phase::kTracking)
-    acceleration_ += kSmoothing * ((since_last - refined_.twist) / period_s - acceleration_);
+  if (phase_ == Phase::kTracking) {
+    const Vector6d change = (since_last - refined_.twist) / period_s;
+    acceleration_ += kSmoothing * (change - acceleration_);
+    mean_sq_acceleration_ += (change.cwiseAbs2() - mean_sq_acceleration_) / kMemory_sweeps;
+  }
   refined_.twist = since_last;
   refined_.period_s = std::min(period_s, kGap_s);
-  twist_ = twist.value_or(refined_.twist + 0.5 * refined_.period_s * acceleration_);
+  const MotionInSweep expected{refined_.twist + 0.5 * refined_.period_s * acceleration_, acceleration_};
+  within_ = within.value_or(expected);
   const double ahead_s = kHalfToEnd * refined_.period_s;
   refined_.acceleration =
-      (twist_ + ahead_s * acceleration_ - refined_.twist) / (0.5 * refined_.period_s + ahead_s);
+      (within_.twist + ahead_s * acceleration_ - refined_.twist) / (0.5 * refined_.period_s + ahead_s);
   if (standstill_.is_still()) refined_.twist.setZero(), forget_changes();
   T_map_reference_ = orthonormalized(T_map_this);
 }
 
 void MappingStage::forget_changes() noexcept {
   acceleration_.setZero(), refined_.acceleration.setZero();
-  twist_ = refined_.twist;
+  within_ = {refined_.twist};
 }
 
 // Nothing of the old map fits any more. Where scan-to-scan still tells the motion, the new one goes on from
@@ -337,9 +364,8 @@ void MappingStage::report(const ScanMotion& motion, Estimate& estimate) noexcept
   const bool belongs_to_map = is_inserted_ || (phase_ == Phase::kTracking && !config_.refine);
   estimate.is_keyframe = belongs_to_map && keyframes_.take(refined_.T_odom_reference);
   const double reported_s = seconds(motion.reported_ns - motion.reference_ns);
-  estimate.twist = refined_.twist_at(reported_s);
-  estimate.T_odom_sensor_refined =
-      refined_.T_odom_reference * exp_se3(reported_s * refined_.twist_at(0.5 * reported_s));
+  estimate.twist = within_.twist_at(reported_s);
+  estimate.T_odom_sensor_refined = refined_.T_odom_reference * within_.pose_at(reported_s);
 }
 
 }  // namespace pago::mapping

@@ -11,11 +11,12 @@
 
 namespace pago::mapping {
 
-// Where little is seen, more points of it are worth their time.
+// Where little is seen, more points of it are worth their time: most of all those that stand upright.
 JointResult MappingStage::look_closer(const MotionGuess& guess, const JointResult& result) noexcept {
   constexpr int kMostIterations = 4;
   JointLimits limits = trust_.limits();
   limits.stride = 1 + map_points_.size / (kMaxKeyPoints + 1);
+  limits.thins_ground_only = true;
   limits.T_first = result.T_last_this;
   limits.max_iterations = std::min(limits.max_iterations, kMostIterations);
   return registration_.align(map_, map_points_, guess, limits, *budget_);

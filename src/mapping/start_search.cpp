@@ -133,11 +133,11 @@ void StartSearch::sow() noexcept {
   double mapped_m_s = kNoSpeed;
   for (const Vector6d& seed : seeds_) {
     if (seed[0] != mapped_m_s) {
-      Vector6d straight = Vector6d::Zero();
-      straight[0] = mapped_m_s = seed[0];
+      mapped_m_s = seed[0];
+      MotionInSweep straight;
+      if (!is_compensated_) straight.twist[0] = mapped_m_s;
       scratch_.clear();
-      insert_points(sweeps_[0].dense, is_compensated_ ? Vector6d::Zero() : straight,
-                    Eigen::Isometry3d::Identity(), scratch_, kSeedMapStride);
+      insert_points(sweeps_[0].dense, straight, Eigen::Isometry3d::Identity(), scratch_, kSeedMapStride);
     }
     guess.T_last_this = exp_se3(seed * period_s);
     keep(registration_.align(scratch_, sweeps_[1].key, guess,
@@ -210,9 +210,12 @@ JointResult StartSearch::align(CellMap& map, const PointCloud& points, const Mot
                              {config_.gate_m, config_.kernel_min_m, config_.max_iterations, stride, false});
 }
 
+MotionInSweep StartSearch::within(const Path& path, std::size_t sweep) const noexcept {
+  return {is_compensated_ ? Vector6d::Zero().eval() : path.twist[sweep]};
+}
+
 void StartSearch::insert(const Path& path, std::size_t sweep, CellMap& map) const noexcept {
-  insert_points(sweeps_[sweep].dense, is_compensated_ ? Vector6d::Zero() : path.twist[sweep],
-                path.T_start_sweep[sweep], map);
+  insert_points(sweeps_[sweep].dense, within(path, sweep), path.T_start_sweep[sweep], map);
 }
 
 void StartSearch::settle() noexcept {
@@ -232,10 +235,8 @@ void StartSearch::settle() noexcept {
 }
 
 void StartSearch::hand_over(const Eigen::Isometry3d& T_map_start, CellMap& map) const noexcept {
-  for (std::size_t i = 0; i <= last(); ++i) {
-    insert_points(sweeps_[i].map, is_compensated_ ? Vector6d::Zero() : paths_[0].twist[i],
-                  T_map_start * paths_[0].T_start_sweep[i], map);
-  }
+  for (std::size_t i = 0; i <= last(); ++i)
+    insert_points(sweeps_[i].map, within(paths_[0], i), T_map_start * paths_[0].T_start_sweep[i], map);
 }
 
 // Best first; gives up those that have come to agree with a better one, and those that fall behind: by less

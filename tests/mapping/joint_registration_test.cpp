@@ -40,13 +40,16 @@ struct Room {
       map.insert(p, tag());
     }
   }
-  /// Seen from `T_map_sensor`, in the course of a sweep of 0.1 s during which the sensor moves with `twist`.
-  void see(const Eigen::Isometry3d& T_map_sensor, const Vector6d& twist, double noise_m, PointCloud& cloud) {
+  /// Seen from `T_map_sensor`, in the course of a sweep of 0.1 s during which the sensor moves like that.
+  void see(const Eigen::Isometry3d& T_map_sensor,
+           const MotionInSweep& motion,
+           double noise_m,
+           PointCloud& cloud) {
     std::normal_distribution<double> noise(0.0, noise_m);
     while (cloud.size < cloud.x_m.size()) {
       const Eigen::Vector3d p = draw();
       const double before_s = between(-0.05, 0.05);
-      const Eigen::Isometry3d T_map_then = T_map_sensor * exp_se3(-before_s * twist);
+      const Eigen::Isometry3d T_map_then = T_map_sensor * motion.pose_at(-before_s);
       Eigen::Vector3d seen = T_map_then.inverse() * p;
       seen += noise(random) * seen.normalized();
       cloud.add(seen.cast<float>(), static_cast<float>(before_s), tag());
@@ -64,15 +67,20 @@ struct Room {
 };
 
 struct Case {
-  /// `bend`: how much the velocity in the sweep's middle differs from that since the last sweep.
-  explicit Case(bool has_ends, double noise_m = 0.01, const Vector6d& bend = Vector6d::Zero())
+  /// `bend`: how much the velocity in the sweep's middle differs from that since the last sweep;
+  /// `acceleration`: how it changes within the sweep.
+  explicit Case(bool has_ends,
+                double noise_m = 0.01,
+                const Vector6d& bend = Vector6d::Zero(),
+                const Vector6d& acceleration = Vector6d::Zero())
       : room(has_ends) {
     truth_.head<3>() << 1.0, 0.05, 0.01;
     truth_.tail<3>() << 0.002, -0.003, 0.03;
     room.fill(map);
     guess.T_map_last.translation().z() = 1.7;
     guess.period_s = 0.1;
-    room.see(guess.T_map_last * exp_se3(truth_), truth_ / guess.period_s + bend, noise_m, points);
+    room.see(guess.T_map_last * exp_se3(truth_), {truth_ / guess.period_s + bend, acceleration}, noise_m,
+             points);
   }
   JointResult align(const JointLimits& limits = {}, const Budget& budget = kUnlimited) {
     return registration.align(map, points, guess, limits, budget);
@@ -103,7 +111,7 @@ TEST_CASE("a sweep distorted by its own motion is placed within millimetres", "[
   INFO(c.error_of(result).transpose());
   REQUIRE(c.error_of(result).head<3>().norm() < 0.003);
   REQUIRE(c.error_of(result).tail<3>().norm() < 0.0005);
-  REQUIRE(result.twist[0] == Approx(10.0).margin(0.05));
+  REQUIRE(result.within.twist[0] == Approx(10.0).margin(0.05));
   REQUIRE(result.weak.count == 0);
   REQUIRE(result.matches > 1500);
   REQUIRE(result.score > 0.8);
@@ -118,7 +126,7 @@ TEST_CASE("where the velocity changes it is found within the sweep", "[mapping][
   c.guess.acceleration = Vector6d::Zero();
   const JointResult with = c.align();
   const auto off_at_end = [&](const JointResult& result) -> Vector6d {
-    return c.error_of(result) + 0.05 * (result.twist - c.twist_since_last() - bend);
+    return c.error_of(result) + 0.05 * (result.within.twist - c.twist_since_last() - bend);
   };
   INFO(off_at_end(without).transpose() << " and " << off_at_end(with).transpose());
   CHECK(off_at_end(with).tail<3>().norm() < 0.3 * off_at_end(without).tail<3>().norm());
@@ -131,7 +139,26 @@ TEST_CASE("an acceleration that is expected is taken along", "[mapping][joint]")
   Case c(true, 0.01, 0.05 * acceleration);
   c.guess.T_last_this.translation().x() = 1.0;
   c.guess.acceleration = acceleration;
-  CHECK(c.align().twist[4] - c.twist_since_last()[4] == Approx(0.1).margin(0.005));
+  CHECK(c.align().within.twist[4] - c.twist_since_last()[4] == Approx(0.1).margin(0.005));
+}
+
+TEST_CASE("how the velocity changes within the sweep is found, too", "[mapping][joint]") {
+  Vector6d acceleration = Vector6d::Zero();
+  acceleration << 0.0, 0.0, 2.0, 0.5, 3.0, 0.0;  // the front wheels meet a bump
+  Case c(true, 0.01, Vector6d::Zero(), acceleration);
+  c.guess.T_last_this.translation().x() = 1.0;
+  c.guess.acceleration = Vector6d::Zero();
+  c.guess.acceleration_sigma << 5.0, 5.0, 5.0, 5.0, 5.0, 5.0;
+  const JointResult result = c.align();
+  INFO(result.within.acceleration.transpose());
+  CHECK(result.within.acceleration[4] == Approx(3.0).margin(0.3));
+  const Eigen::Isometry3d truth = MotionInSweep{c.twist_since_last(), acceleration}.pose_at(0.05);
+  const Vector6d off = difference(truth, result.within.pose_at(0.05));
+  CHECK(off.head<3>().norm() < 0.003);
+  CHECK(off.tail<3>().norm() < 0.0005);
+  // Held to what is expected, nothing is found.
+  c.guess.acceleration_sigma.setConstant(1e-3);
+  CHECK(c.align().within.acceleration.norm() < 0.01);
 }
 
 TEST_CASE("compensated points are taken as they are", "[mapping][joint]") {
@@ -139,7 +166,7 @@ TEST_CASE("compensated points are taken as they are", "[mapping][joint]") {
   c.guess.T_last_this.translation().x() = 1.0;
   c.guess.period_s = 0.0;
   const JointResult result = c.align();
-  REQUIRE(result.twist.isZero());
+  REQUIRE(result.within.twist.isZero());
   REQUIRE(result.rms_m > 0.02);  // these are distorted
 }
 
@@ -163,7 +190,7 @@ TEST_CASE("the stated information fits the spread of the errors", "[mapping][joi
     c.points.size = 0;
     Vector6d motion = Vector6d::Zero();
     motion[0] = 1.0, motion[5] = 0.002 * i;
-    c.room.see(c.guess.T_map_last * exp_se3(motion), motion / c.guess.period_s, c.config.point_sigma_m,
+    c.room.see(c.guess.T_map_last * exp_se3(motion), {motion / c.guess.period_s}, c.config.point_sigma_m,
                c.points);
     c.guess.T_last_this = exp_se3(motion);
     const JointResult result = c.align();

@@ -67,7 +67,7 @@ struct ThinningConfig {
   double dense_spacing_m = 0.15;
   double map_voxel_m = 0.4;
   double key_voxel_m = 1.0;
-  int key_points = 2000;
+  int key_points = 4000;
 };
 
 template <typename Visitor>

@@ -160,6 +160,22 @@ void describe(Visitor& v, KeyframeMapConfig& c) {
 }
 
 /// [mapping] Scan-to-map registration: the refined pose.
+/// [mapping.lasers] What each laser measures wrong against the calibration.
+struct LasersConfig {
+  bool learn = true;
+  double range_sigma_m = 0.01;
+  double angle_sigma_deg = 0.03;
+  double point_sigma_m = 0.03;
+};
+
+template <typename Visitor>
+void describe(Visitor& v, LasersConfig& c) {
+  v("learn", c.learn, "learn it from the local map, and correct returns for it before they are registered");
+  v("range_sigma_m", c.range_sigma_m, within(1e-4, 1.0), "deviation of the lasers' errors of range");
+  v("angle_sigma_deg", c.angle_sigma_deg, within(1e-4, 1.0), "and of their elevation");
+  v("point_sigma_m", c.point_sigma_m, within(0.001, 1.0), "deviation of a single return from its plane");
+}
+
 struct MappingConfig {
   MappingMethod method = MappingMethod::kCells;
   KeyframeMapConfig keyframe_map;
@@ -167,6 +183,7 @@ struct MappingConfig {
   StartConfig start;
   TrustConfig trust;
   KeyframesConfig keyframes;
+  LasersConfig lasers;
   bool refine = true;
   int max_iterations = 8;
   double gate_m = 1.0;
@@ -177,6 +194,8 @@ struct MappingConfig {
   double prior_weight = 0.3;
   double twist_sigma_m_s = 0.05;
   double twist_sigma_rad_s = 0.02;
+  double acceleration_sigma_m_s2 = 1.0;
+  double acceleration_sigma_rad_s2 = 0.1;
   double min_contribution = 1.0;
 };
 
@@ -191,6 +210,7 @@ void describe(Visitor& v, MappingConfig& c) {
   v.section("start", c.start, "the motion that the sensor is switched on in");
   v.section("trust", c.trust, "when a registration is not believed");
   v.section("keyframes", c.keyframes, "the sweeps that the saved map is made of");
+  v.section("lasers", c.lasers, "what each laser measures wrong against the calibration");
   v("refine", c.refine, "register sweeps to the map; false: refined poses are the first poses");
   v("max_iterations", c.max_iterations, within(1, 100), "most rounds of matching and solving in a sweep");
   v("gate_m", c.gate_m, within(0.05, 10.0), "points farther from the plane are not matched");
@@ -206,6 +226,11 @@ void describe(Visitor& v, MappingConfig& c) {
     "the velocity within a sweep is sought around that which the last motions make expect: deviation of its "
     "translation");
   v("twist_sigma_rad_s", c.twist_sigma_rad_s, within(1e-6, 10.0), "and of its rotation");
+  v("acceleration_sigma_m_s2", c.acceleration_sigma_m_s2, within(1e-6, 100.0),
+    "so is the change of that velocity in the course of the sweep: least deviation of its translation; more "
+    "on "
+    "rough roads");
+  v("acceleration_sigma_rad_s2", c.acceleration_sigma_rad_s2, within(1e-6, 100.0), "and of its rotation");
   v("min_contribution", c.min_contribution, within(0.0, 1000.0),
     "a direction of motion for which fewer matches in different places speak, by squared cosine, is kept as "
     "predicted");

@@ -7,9 +7,11 @@
 
 #include "pago/config/mapping.hpp"
 #include "pago/core/budget.hpp"
+#include "pago/core/deskew.hpp"
 #include "pago/registration/cell_map.hpp"
 #include "pago/registration/point_cloud.hpp"
 #include "pago/registration/rows.hpp"
+#include "pago/registration/timed_equations.hpp"
 
 namespace pago::mapping {
 
@@ -24,9 +26,11 @@ struct MotionGuess {
   /// De-skew by this instead of by what is found: after a leap the motion since the last sweep is no
   /// velocity.
   std::optional<Vector6d> twist = std::nullopt;
-  /// The velocity changes so fast (per s^2): what it is at the reference instant is found along with the
-  /// motion, held to what this makes expect. Without it the velocity is that since the last sweep.
+  /// The velocity changes so fast (per s^2): what it is at the reference instant, and how it changes within
+  /// the sweep, is found along with the motion, held to what this makes expect. Without it the velocity is
+  /// that since the last sweep.
   std::optional<Vector6d> acceleration = std::nullopt;
+  Vector6d acceleration_sigma = Vector6d::Ones();  ///< how far that may be off; > 0
 };
 
 /// How far a registration looks, and how long.
@@ -34,15 +38,16 @@ struct JointLimits {
   double gate_m = 1.0;
   double kernel_min_m = 0.05;
   int max_iterations = 8;
-  std::size_t stride = 1;  ///< of the points every so many
-  bool keeps_weak = true;  ///< no step along directions that are not observable
+  std::size_t stride = 1;          ///< of the points every so many
+  bool thins_ground_only = false;  ///< the others all count: ground says nothing of where one is in plan
+  bool keeps_weak = true;          ///< no step along directions that are not observable
   /// Begin here instead of at the guess, which stays what the result is held against.
   std::optional<Eigen::Isometry3d> T_first = std::nullopt;
 };
 
 struct JointResult {
   Eigen::Isometry3d T_last_this = Eigen::Isometry3d::Identity();
-  Vector6d twist = Vector6d::Zero();  ///< per second, at the reference instant: what points were de-skewed by
+  MotionInSweep within;  ///< about the reference instant: what points were de-skewed by
   /// Of the matches alone; as MotionGuess::information.
   Matrix6d information = Matrix6d::Zero();
   registration::WeakDirections weak;     ///< no step was taken along these
@@ -52,14 +57,6 @@ struct JointResult {
   std::uint32_t offered = 0, matches = 0;
   double rms_m = 0.0;  ///< robustly weighted
   double score = 0.0;  ///< how well the points are explained, 0 to 1: mean closeness, 0 for the unmatched
-};
-
-/// What the matches say of the velocity within the sweep, apart from the motion since the last one: a point
-/// that was seen `s` before the reference instant moves by -s times what it would by a motion.
-struct BendEquations {
-  Matrix6d motion_bend = Matrix6d::Zero();  ///< sum of -s w J J^T
-  Matrix6d bend_bend = Matrix6d::Zero();    ///< sum of s^2 w J J^T
-  Vector6d b = Vector6d::Zero();            ///< sum of -s w r J
 };
 
 /// Scan to map, all six degrees of freedom at once: points to the planes of the local map, Gauss-Newton under
@@ -80,14 +77,14 @@ class JointRegistration {
   void match(registration::CellMap& map,
              const registration::PointCloud& points,
              const Eigen::Isometry3d& T_map_this,
-             const Vector6d& twist,
+             const MotionInSweep& motion,
              const JointLimits& limits) noexcept;
   void weigh(double kernel_min_m) noexcept;
-  BendEquations bend_equations() const noexcept;
   void measure(JointResult& result) const noexcept;
 
   MappingConfig config_;
   registration::Rows rows_;
+  registration::TimedEquations equations_;
   FixedVector<float> before_s_;  // of each row's point
   FixedVector<float> magnitudes_;
 };

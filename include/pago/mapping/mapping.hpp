@@ -4,6 +4,7 @@
 
 #include "pago/core/stage.hpp"
 #include "pago/mapping/keyframes.hpp"
+#include "pago/mapping/laser_offsets.hpp"
 #include "pago/mapping/standstill.hpp"
 #include "pago/mapping/start_search.hpp"
 #include "pago/mapping/trust.hpp"
@@ -52,8 +53,9 @@ class MappingStage {
              bool usable) noexcept;
   void move_to(const Eigen::Isometry3d& T_map_this,
                double period_s,
-               const std::optional<Vector6d>& twist = std::nullopt) noexcept;
+               const std::optional<MotionInSweep>& within = std::nullopt) noexcept;
   void forget_changes() noexcept;
+  Vector6d unsteadiness() const noexcept;
   void restart(bool is_told, Estimate& estimate) noexcept;
   void state(const ScanMotion& motion,
              const MotionGuess& guess,
@@ -70,13 +72,16 @@ class MappingStage {
   Trust trust_;
   Standstill standstill_;
   Keyframes keyframes_;
+  LaserOffsets lasers_;
   registration::PointCloud key_points_, map_points_, dense_;
+  AlignedArray<std::uint8_t> rings_;  // of map_points_
 
   Phase phase_ = Phase::kEmpty;
   std::int64_t first_reference_ns_ = 0, first_reported_ns_ = 0;
   RefinedState refined_;
   Vector6d acceleration_ = Vector6d::Zero();  // of refined_.twist, of the last few sweeps
-  Vector6d twist_ = Vector6d::Zero();         // at the reference instant
+  Vector6d mean_sq_acceleration_ = Vector6d::Zero();
+  MotionInSweep within_;  // about the reference instant
   /// Poses in the map are relative to the first sweep's reference instant; `odom` to its reported one.
   Eigen::Isometry3d T_odom_map_ = Eigen::Isometry3d::Identity();
   Eigen::Isometry3d T_map_start_ = Eigen::Isometry3d::Identity();

@@ -80,6 +80,7 @@ class StartSearch {
                     const registration::PointCloud& points,
                     const MotionGuess& guess) noexcept;
   Vector6d first_twist_of(const Path& path) const noexcept;
+  MotionInSweep within(const Path& path, std::size_t sweep) const noexcept;
   void insert(const Path& path, std::size_t sweep, registration::CellMap& map) const noexcept;
   void rank() noexcept;
   bool agree(const Path& a, const Path& b) const noexcept;
