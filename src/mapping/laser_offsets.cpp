@@ -21,12 +21,12 @@ constexpr float kKernel_m = 0.06F;
 
 LaserOffsets::LaserOffsets(const LasersConfig& config) : config_(config) {
   const double range_m = config.range_sigma_m, angle_rad = config.angle_sigma_deg * kDegree;
-  prior_ = Eigen::Vector2d(1.0 / (range_m * range_m), 1.0 / (angle_rad * angle_rad)).asDiagonal();
+  prior_ = Eigen::Vector3d(range_m, angle_rad, angle_rad).cwiseAbs2().cwiseInverse().asDiagonal();
   reset();
 }
 
 void LaserOffsets::reset() noexcept {
-  for (Ring& ring : rings_) ring = {Eigen::Vector2f::Zero(), prior_};
+  for (Ring& ring : rings_) ring = {Eigen::Vector3f::Zero(), prior_};
 }
 
 // Recursive least squares: the residuals of this sweep, weighed by all that was learned before.
@@ -37,8 +37,8 @@ void LaserOffsets::learn(registration::CellMap& map,
                          const MotionInSweep& motion) noexcept {
   if (!config_.learn) return;
   struct Equations {
-    Eigen::Matrix2d H = Eigen::Matrix2d::Zero();
-    Eigen::Vector2d b = Eigen::Vector2d::Zero();
+    Eigen::Matrix3d H = Eigen::Matrix3d::Zero();
+    Eigen::Vector3d b = Eigen::Vector3d::Zero();
   };
   std::array<Equations, kNumRings> equations{};
   const Deskew to_reference(motion);
@@ -56,8 +56,9 @@ void LaserOffsets::learn(registration::CellMap& map,
         (static_cast<float>(config_.point_sigma_m * config_.point_sigma_m) + plane->thickness_m2);
     const Eigen::Vector3f n = R_sensor_map * plane->axis;
     const float level = std::max(1e-3F, std::hypot(p.x(), p.y()));
-    const Eigen::Vector2d a(n.dot(p.normalized()),
-                            n.z() * level - p.z() / level * (n.x() * p.x() + n.y() * p.y()));
+    const Eigen::Vector3d a(n.dot(p.normalized()),
+                            n.z() * level - p.z() / level * (n.x() * p.x() + n.y() * p.y()),
+                            n.y() * p.x() - n.x() * p.y());
     Equations& of_ring = equations[rings[i] % kNumRings];
     of_ring.H.noalias() += static_cast<double>(weight) * a * a.transpose();
     of_ring.b.noalias() += static_cast<double>(weight * residual) * a;

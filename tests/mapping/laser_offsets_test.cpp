@@ -16,34 +16,37 @@ namespace {
 /// A hall of 40 x 12 x 5 m around the sensor, seen by 64 lasers that are off by what they are.
 struct Hall {
   explicit Hall(unsigned seed) : random(seed) {
-    std::normal_distribution<double> range(0.0, 0.008), elevation(0.0, 0.02 * kDegree);
+    std::normal_distribution<double> range(0.0, 0.008), angle(0.0, 0.02 * kDegree);
     for (std::size_t i = 0; i < kNumRings; ++i)
-      range_m[i] = range(random), elevation_rad[i] = elevation(random);
+      range_m[i] = range(random), elevation_rad[i] = angle(random), azimuth_rad[i] = angle(random);
   }
 
   /// Where a beam meets the hall, or what is measured of it.
   Eigen::Vector3f shoot(std::size_t ring, bool is_exact) {
     const double azimuth = std::uniform_real_distribution<double>(-3.14, 3.14)(random);
     const double up = (2.0 - 26.0 * static_cast<double>(ring) / 63.0) * kDegree;
-    const auto beam = [&](double angle) {
-      return Eigen::Vector3d(std::cos(angle) * std::cos(azimuth), std::cos(angle) * std::sin(azimuth),
-                             std::sin(angle));
+    const auto beam = [&](double elevation, double to_left) {
+      return Eigen::Vector3d(std::cos(elevation) * std::cos(to_left), std::cos(elevation) * std::sin(to_left),
+                             std::sin(elevation));
     };
-    const Eigen::Vector3d at = beam(up);
-    const double to_end = 20.0 / std::abs(at.x()), to_side = 6.0 / std::abs(at.y());
+    const Eigen::Vector3d at = beam(up, azimuth);
+    const double to_end = (20.0 - (at.x() > 0.0 ? along_m : -along_m)) / std::abs(at.x());
+    const double to_side = 6.0 / std::abs(at.y());
     const double to_floor = at.z() < 0.0 ? -1.7 / at.z() : 1e9;
     const double range = std::min({to_end, to_side, to_floor});
     is_ground = to_floor <= range;
     if (is_exact) return (range * at).cast<float>();
     const double noise = std::normal_distribution<double>(0.0, 0.01)(random);
-    return ((range - range_m[ring] + noise) * beam(up - elevation_rad[ring])).cast<float>();
+    return ((range - range_m[ring] + noise) * beam(up - elevation_rad[ring], azimuth - azimuth_rad[ring]))
+        .cast<float>();
   }
 
   void fill(registration::CellMap& map, const LaserOffsets& lasers, bool is_exact, int returns) {
     for (int i = 0; i < returns; ++i) {
       const auto ring = static_cast<std::uint8_t>(i % kNumRings);
       const Eigen::Vector3f p = shoot(ring, is_exact);
-      map.insert(lasers.corrected(p, ring).cast<double>(), is_ground ? kGround : kNonGround);
+      map.insert(T_hall_sensor() * lasers.corrected(p, ring).cast<double>(),
+                 is_ground ? kGround : kNonGround);
     }
   }
   void learn_from_a_sweep(LaserOffsets& lasers, registration::CellMap& map) {
@@ -55,7 +58,7 @@ struct Hall {
       points.add(lasers.corrected(p, ring), 0.0F, is_ground ? kGround : kNonGround);
       rings.push_back(ring);
     }
-    lasers.learn(map, points, rings, Eigen::Isometry3d::Identity(), {});
+    lasers.learn(map, points, rings, T_hall_sensor(), {});
   }
 
   /// Root mean square over the rings of what is left at so many metres: along the beam, and across it.
@@ -68,8 +71,13 @@ struct Hall {
     return (sum / kNumRings).cwiseSqrt();
   }
 
+  Eigen::Isometry3d T_hall_sensor() const {
+    return Eigen::Isometry3d(Eigen::Translation3d(along_m, 0.0, 0.0));
+  }
+
   std::mt19937 random;
-  std::array<double, kNumRings> range_m{}, elevation_rad{};
+  double along_m = 0.0;  ///< where the sensor is, from the middle
+  std::array<double, kNumRings> range_m{}, elevation_rad{}, azimuth_rad{};
   bool is_ground = false;
 };
 
@@ -103,13 +111,15 @@ TEST_CASE("a map that the lasers themselves have made teaches them to agree", "[
     return std::sqrt(sum);
   };
   const double before_m = scatter_m();
-  for (int round = 0; round < 4; ++round) {  // places that are new, as the vehicle moves on
+  for (int drive = 0; drive < 4; ++drive) {
     registration::CellMap map(options_of(CellsConfig{}), 20'000);
-    hall.fill(map, lasers, false, 30'000);
-    for (int sweep = 0; sweep < 10; ++sweep) hall.learn_from_a_sweep(lasers, map);
+    for (hall.along_m = -15.0; hall.along_m <= 15.0; hall.along_m += 1.0) {
+      hall.learn_from_a_sweep(lasers, map);
+      hall.fill(map, lasers, false, 6'400);
+    }
   }
   INFO(before_m << " m before, " << scatter_m() << " m after");
-  CHECK(scatter_m() < 0.6 * before_m);
+  CHECK(scatter_m() < 0.7 * before_m);
 }
 
 TEST_CASE("nothing is corrected where nothing was learned", "[mapping][lasers]") {

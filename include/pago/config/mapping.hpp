@@ -10,7 +10,7 @@ namespace pago {
 /// Values from the measured trial in spec/odometry-prototype.md section 3.
 struct CellsConfig {
   double cell_m = 1.0;
-  int max_points = 30;
+  int max_points = 200;
   int min_points = 6;
   double max_flatness = 0.1;
   double max_thickness_m = 0.2;
@@ -172,7 +172,7 @@ template <typename Visitor>
 void describe(Visitor& v, LasersConfig& c) {
   v("learn", c.learn, "learn it from the local map, and correct returns for it before they are registered");
   v("range_sigma_m", c.range_sigma_m, within(1e-4, 1.0), "deviation of the lasers' errors of range");
-  v("angle_sigma_deg", c.angle_sigma_deg, within(1e-4, 1.0), "and of their elevation");
+  v("angle_sigma_deg", c.angle_sigma_deg, within(1e-4, 1.0), "and of each of their two angles");
   v("point_sigma_m", c.point_sigma_m, within(0.001, 1.0), "deviation of a single return from its plane");
 }
 
