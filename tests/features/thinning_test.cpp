@@ -27,12 +27,16 @@ bool is_part_of(const FixedVector<std::uint32_t>& few, const FixedVector<std::ui
   return std::all_of(few.begin(), few.end(), [&](std::uint32_t i) { return all.count(i) == 1; });
 }
 
+constexpr int kFewKeyPoints = 2000;  // than the street has to offer
+
 /// The street seen at rest, handed over in so many parts.
 Sweep thinned_street(std::uint32_t parts, std::uint64_t sequence = 0) {
   Sweep sweep(test::kStreetReturns);
   test::Street().scan(test::street_start(), Vector6d::Zero(), 0, 0.01, sweep);
   sweep.header.sequence = sequence;
-  SweepThinner thinner(ThinningConfig{}, test::kStreetReturns);
+  ThinningConfig config;
+  config.key_points = kFewKeyPoints;
+  SweepThinner thinner(config, test::kStreetReturns);
   thinner.begin(sweep);
   for (std::uint32_t part = 1; part <= parts; ++part) thinner.accept(sweep, sweep.size * part / parts);
   thinner.finish(sweep);
@@ -46,7 +50,7 @@ TEST_CASE("each list is a part of the one before, and within its limits", "[feat
   const FeatureLists& lists = sweep.features;
   REQUIRE(lists.dense.size() > 5000);
   REQUIRE(lists.map_points.size() > 3000);
-  REQUIRE(lists.key_points.size() == static_cast<std::size_t>(ThinningConfig{}.key_points));
+  REQUIRE(lists.key_points.size() == static_cast<std::size_t>(kFewKeyPoints));
   REQUIRE(is_part_of(lists.map_points, lists.dense));
   REQUIRE(is_part_of(lists.key_points, lists.map_points));
   for (const std::uint32_t i : lists.dense)
