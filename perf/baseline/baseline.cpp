@@ -62,16 +62,26 @@ void VoxelMap::keep_around(const Eigen::Vector3d& centre_m, double range_m) {
 
 const Eigen::Vector3d* VoxelMap::nearest(const Eigen::Vector3d& point_m) const {
   const Eigen::Vector3i middle = cube_of(point_m, kCube_m);
+  const Eigen::Vector3d within_m = point_m - kCube_m * middle.cast<double>();
   const Eigen::Vector3d* best = nullptr;
   double best_m2 = HUGE_VAL;
-  for (int i = 0; i < 27; ++i) {
-    const auto found = cubes_.find(key_of(middle + Eigen::Vector3i(i % 3 - 1, i / 3 % 3 - 1, i / 9 - 1)));
+  constexpr int kOwn = 13;
+  for (int k = 0; k < 27; ++k) {
+    const int i = (k + kOwn) % 27;  // its own cube first: most others need not be looked into then
+    const Eigen::Vector3i step(i % 3 - 1, i / 3 % 3 - 1, i / 9 - 1);
+    double apart_m2 = 0.0;
+    for (int axis = 0; axis < 3; ++axis) {
+      const double gap_m = step[axis] < 0 ? within_m[axis] : kCube_m - within_m[axis];
+      if (step[axis] != 0) apart_m2 += gap_m * gap_m;
+    }
+    if (apart_m2 >= best_m2) continue;
+    const auto found = cubes_.find(key_of(middle + step));
     if (found == cubes_.end()) continue;
-    for (std::uint32_t k = 0; k < found->second.size; ++k) {
-      const double distance_m2 = (found->second.points_m[k] - point_m).squaredNorm();
+    for (std::uint32_t n = 0; n < found->second.size; ++n) {
+      const double distance_m2 = (found->second.points_m[n] - point_m).squaredNorm();
       if (distance_m2 >= best_m2) continue;
       best_m2 = distance_m2;
-      best = &found->second.points_m[k];
+      best = &found->second.points_m[n];
     }
   }
   return best;
