@@ -226,12 +226,11 @@ MotionGuess MappingStage::guess_of(const ScanMotion& motion) const noexcept {
                                                                        motion.period_s, unconfirmed_);
   if (!motion.is_registered || !is_credible) return guess;
   guess.is_carried = false;
-  const Matrix6d carried = guess.information;
-  const Vector6d off = difference(motion.T_last_this, guess.T_last_this);
-  guess.information += config_.prior_weight * motion.information;
-  guess.T_last_this = config_.refine
-                          ? perturb(motion.T_last_this, inverse_of(guess.information) * carried * off)
-                          : motion.T_last_this;
+  const Matrix6d told = config_.prior_weight * motion.information;
+  guess.T_last_this =
+      config_.refine ? registration::fused(motion.T_last_this, told, guess.T_last_this, guess.information)
+                     : motion.T_last_this;
+  guess.information += told;
   return guess;
 }
 
@@ -360,6 +359,7 @@ void MappingStage::report(const ScanMotion& motion, Estimate& estimate) noexcept
     is_placed_ = refined_.has_motion && phase_ == Phase::kTracking;
   }
   refined_.is_placed = true;
+  refined_.is_of_map = config_.refine;
   refined_.T_odom_reference = T_odom_map_ * T_map_reference_;
   const bool belongs_to_map = is_inserted_ || (phase_ == Phase::kTracking && !config_.refine);
   estimate.is_keyframe = belongs_to_map && keyframes_.take(refined_.T_odom_reference);

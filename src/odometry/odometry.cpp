@@ -120,7 +120,9 @@ void OdometryStage::advance(Sweep& sweep) noexcept {
   if (has_slipped()) twist_ = refined_.twist;
   const Eigen::Isometry3d T_predicted = exp_se3(twist_ * carried_s);
   const RegistrationResult result = align(motion, T_predicted);
-  const HealthReason reason = judge(result, T_predicted);
+  HealthReason reason = judge(result, T_predicted);
+  if (is_measured(reason) && !agrees_with_map(result, motion.period_s))
+    reason = HealthReason::kImplausibleMotion;
 
   motion.is_registered = is_measured(reason);
   motion.T_last_this = motion.is_registered ? result.T_target_source : T_predicted;
@@ -143,6 +145,16 @@ bool OdometryStage::has_slipped() const noexcept {
   if (loam_ || !refined_.has_motion || refined_.period_s <= 0.0) return false;
   const Eigen::Isometry3d T_own = exp_se3(twist_ * refined_.period_s);
   return predicted_in_a_row_ > 0 || !registration::may_follow(T_own, refined_.twist, refined_.period_s, 0);
+}
+
+bool OdometryStage::knows_of_map() const noexcept {
+  return !loam_ && refined_.is_of_map && refined_.has_motion && refined_.period_s > 0.0;
+}
+
+// And a motion that no vehicle has after the one before is that of what has driven by.
+bool OdometryStage::agrees_with_map(const RegistrationResult& result, double period_s) const noexcept {
+  if (!knows_of_map()) return true;
+  return registration::may_follow(result.T_target_source, refined_.twist, period_s, predicted_in_a_row_);
 }
 
 RegistrationResult OdometryStage::align(const ScanMotion& motion,
@@ -186,6 +198,15 @@ void OdometryStage::state(Estimate& estimate,
   estimate.planar_rms_m = static_cast<float>(result.ground_rms_m);
 }
 
+// Two opinions on the motion, as in mapping: what this sweep says, and that it has not changed much.
+Eigen::Isometry3d OdometryStage::first_motion(const ScanMotion& motion) const noexcept {
+  constexpr double kTrust = 0.3;  // errors of matches are not independent
+  if (!motion.is_registered || !knows_of_map()) return motion.T_last_this;
+  return registration::fused(motion.T_last_this, kTrust * motion.information,
+                             exp_se3(refined_.twist * motion.period_s),
+                             registration::predicted_information(motion.period_s, 0));
+}
+
 void OdometryStage::report(Sweep& sweep) noexcept {
   Estimate& estimate = sweep.estimate;
   estimate.has_pose = true;
@@ -197,7 +218,8 @@ void OdometryStage::report(Sweep& sweep) noexcept {
   estimate.twist = carried.twist_at(reported_s);
   const Eigen::Isometry3d T_reference_reported = exp_se3(reported_s * carried.twist_at(0.5 * reported_s));
   estimate.T_odom_sensor_front_end = T_odom_reference_ * T_reference_reported;
-  estimate.T_odom_sensor_first = refined_.T_odom_reference * sweep.motion.T_last_this * T_reference_reported;
+  estimate.T_odom_sensor_first =
+      refined_.T_odom_reference * first_motion(sweep.motion) * T_reference_reported;
   estimate.T_odom_sensor_refined = estimate.T_odom_sensor_first;
 }
 

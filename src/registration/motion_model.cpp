@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "pago/core/se3.hpp"
+#include "pago/core/symmetric6.hpp"
 
 namespace pago::registration {
 
@@ -27,6 +28,14 @@ bool may_follow(const Eigen::Isometry3d& T_last_this,
   constexpr double kDeviations = 6.0;
   const Vector6d off = difference(exp_se3(twist * period_s), T_last_this);
   return off.dot(predicted_information(period_s, unconfirmed) * off) <= kDeviations * kDeviations;
+}
+
+Eigen::Isometry3d fused(const Eigen::Isometry3d& T_told,
+                        const Matrix6d& told,
+                        const Eigen::Isometry3d& T_predicted,
+                        const Matrix6d& predicted) noexcept {
+  const Vector6d off = difference(T_told, T_predicted);
+  return perturb(T_told, inverse_of(told + predicted) * predicted * off);
 }
 
 }  // namespace pago::registration

@@ -43,6 +43,19 @@ TEST_CASE("a drive at 10 m/s that starts moving is followed scan to scan", "[odo
       drive.sweep.estimate.T_odom_sensor_first.isApprox(drive.sweep.estimate.T_odom_sensor_front_end, 1e-9));
 }
 
+TEST_CASE("a motion that no vehicle has is not believed at first", "[odometry][stage]") {
+  const auto moved_m = [](double speed_m_s, const MappingConfig& mapping) {
+    StreetDrive drive({}, mapping);
+    for (int i = 0; i < 10; ++i) drive.next(forward(10.0));
+    const Eigen::Vector3d before = drive.refined().translation();
+    drive.next(forward(speed_m_s));
+    return (drive.sweep.estimate.T_odom_sensor_first.translation() - before).norm();
+  };
+  CHECK(moved_m(9.5, {}) < moved_m(10.0, {}) - 0.02);  // 5 m/s^2
+  // 25 m/s^2, which odometry alone has no reason to doubt.
+  CHECK(moved_m(7.5, {}) > moved_m(7.5, without_map()) + 0.02);
+}
+
 TEST_CASE("a pose at the start or the middle lies where the sensor was then", "[odometry][stage]") {
   for (const auto& [instant, fraction] :
        {std::pair{PoseInstant::kStart, 0.0}, {PoseInstant::kMid, 0.5}, {PoseInstant::kEnd, 1.0}}) {

@@ -38,3 +38,17 @@ TEST_CASE("the longer nothing has confirmed a motion, the more may follow it",
   CHECK_FALSE(may_follow(moved(11.0), driving(9.0), kPeriod_s, 0));
   CHECK(may_follow(moved(11.0), driving(9.0), kPeriod_s, 8));
 }
+
+TEST_CASE("what was told twice is believed by its information", "[registration][motion_model]") {
+  const Matrix6d one = Matrix6d::Identity();
+  CHECK(fused(moved(8.0), one, moved(10.0), one).isApprox(moved(9.0), 1e-9));
+  CHECK(fused(moved(8.0), 3.0 * one, moved(10.0), one).isApprox(moved(8.5), 1e-9));
+  CHECK(fused(moved(8.0), one, moved(10.0), Matrix6d::Zero()).isApprox(moved(8.0), 1e-9));
+  // Direction by direction: the one tells how far, the other how much it turned.
+  Matrix6d far = 1e-6 * one, turned = 1e-6 * one;
+  far.topLeftCorner<3, 3>() = Eigen::Matrix3d::Identity();
+  turned.bottomRightCorner<3, 3>() = Eigen::Matrix3d::Identity();
+  const Eigen::Isometry3d both = fused(moved(8.0, 0.0), far, moved(0.0, 0.5), turned);
+  CHECK(both.translation().x() == Approx(0.8).margin(0.01));
+  CHECK(log_se3(both)[5] == Approx(0.05).margin(0.001));
+}

@@ -114,8 +114,9 @@ struct ScanMotion {
 /// What mapping leaves for odometry's next sweep: the last one, once the map had its say. Both live in the
 /// estimate thread.
 struct RefinedState {
-  bool is_placed = false;                                              ///< the pose below is one
-  bool has_motion = false;                                             ///< it is known how the sensor moves
+  bool is_placed = false;   ///< the pose below is one
+  bool has_motion = false;  ///< it is known how the sensor moves
+  bool is_of_map = false;   ///< sweeps are registered to a map; else this is odometry's own, carried on
   Eigen::Isometry3d T_odom_reference = Eigen::Isometry3d::Identity();  ///< at the reference instant
   Vector6d twist = Vector6d::Zero();  ///< per second, sensor frame, mean over the last period
   /// Of that twist; so that twist_at() holds half way from the reference instant to the sweep's end, where

@@ -42,6 +42,9 @@ class OdometryStage {
   void follow_start(ScanMotion& motion) noexcept;
   void advance(Sweep& sweep) noexcept;
   bool has_slipped() const noexcept;
+  bool knows_of_map() const noexcept;
+  Eigen::Isometry3d first_motion(const ScanMotion& motion) const noexcept;
+  bool agrees_with_map(const RegistrationResult& result, double period_s) const noexcept;
   RegistrationResult align(const ScanMotion& motion, const Eigen::Isometry3d& T_predicted) noexcept;
   HealthReason judge(const RegistrationResult& result, const Eigen::Isometry3d& T_predicted) const noexcept;
   void state(Estimate& estimate,

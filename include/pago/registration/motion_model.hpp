@@ -21,6 +21,13 @@ bool may_follow(const Eigen::Isometry3d& T_last_this,
                 double period_s,
                 int unconfirmed) noexcept;
 
+/// A motion that was told twice, as `T_told` with information `told` and as `T_predicted` with `predicted`:
+/// between the two, by their informations. Real-time safe.
+Eigen::Isometry3d fused(const Eigen::Isometry3d& T_told,
+                        const Matrix6d& told,
+                        const Eigen::Isometry3d& T_predicted,
+                        const Matrix6d& predicted) noexcept;
+
 /// A motion is carried on for no longer than this: nothing says that the vehicle did not stop.
 inline constexpr double kLongestPrediction_s = 3.0;
 
