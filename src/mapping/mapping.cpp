@@ -59,7 +59,7 @@ MappingStage::MappingStage(const MappingConfig& config)
       key_points_(kMaxKeyPoints),
       map_points_(kMaxMapPoints),
       dense_(kMaxDensePoints),
-      rings_(kMaxMapPoints) {}
+      rings_(kMaxKeyPoints) {}
 
 void MappingStage::finish(Sweep& sweep) noexcept {
   is_inserted_ = false;
@@ -102,8 +102,8 @@ void MappingStage::update(Sweep& sweep) noexcept {
   if (!is_inserted_) return;
   if (sweep.estimate.health == Health::kOk) {
     std::size_t i = 0;
-    for (const std::uint32_t point : sweep.features.map_points) rings_[i++] = sweep.ring[point];
-    lasers_.learn(map_, map_points_, rings_.first(i), T_map_reference_, within_);
+    for (const std::uint32_t point : sweep.features.key_points) rings_[i++] = sweep.ring[point];
+    lasers_.learn(map_, key_points_, rings_.first(i), T_map_reference_, within_);
   }
   insert_points(map_points_, within_, T_map_reference_, map_);
   map_.prune(T_map_reference_.translation(), config_.cells.radius_m, map_.num_slots() / kPruningRound_sweeps);

@@ -74,7 +74,7 @@ class MappingStage {
   Keyframes keyframes_;
   LaserOffsets lasers_;
   registration::PointCloud key_points_, map_points_, dense_;
-  AlignedArray<std::uint8_t> rings_;  // of map_points_
+  AlignedArray<std::uint8_t> rings_;  // of key_points_
 
   Phase phase_ = Phase::kEmpty;
   std::int64_t first_reference_ns_ = 0, first_reported_ns_ = 0;
